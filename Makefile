@@ -64,7 +64,7 @@ CONSTANTS := $(shell $(CC) -Werror -Wenum-float-conversion -E -x c /dev/null >/d
                      echo -Wno-enum-float-conversion)
 # One rounding for each operation, so that every machine computes the same bytes.
 STRICT   = -std=c17 -ffp-contract=off -fno-math-errno
-# All that this processor can do, where the compiler knows it; no byte of a picture changes.
+# Everything this processor can do, where the compiler knows it; no byte of a picture changes.
 MARCH   := $(shell $(CC) -march=native -E -x c /dev/null >/dev/null 2>&1 && echo -march=native)
 THREADED = -pthread
 BUILT    = $(abspath $(BUILD))
@@ -78,42 +78,8 @@ ifneq ($(words $(BUILD))$(strip $(foreach sign,' " \,$(findstring $(sign),$(absp
 $(error the build directory $(abspath $(BUILD)) holds a quote or a backslash, or BUILD a blank)
 endif
 
-# What a machine must have.
-define NO_COMPILER
-there is no C compiler called $(firstword $(CC)). Is another one here (make CC=gcc)? To install one:
-    Debian, Ubuntu, WSL   sudo apt-get install gcc libc6-dev make
-    Fedora                sudo dnf install gcc make
-    Alpine                sudo apk add gcc musl-dev make
-    Arch                  sudo pacman -S gcc make
-    macOS                 xcode-select --install
-    MSYS2 (no check)      pacman -S make mingw-w64-ucrt-x86_64-gcc
-endef
-
-ifneq ($(filter-out help clean start solution handout commands,$(or $(MAKECMDGOALS),all)),)
-MISSING := $(shell command -v $(firstword $(CC)) >/dev/null 2>&1 || echo compiler; \
-                   [ -d "$${TMPDIR:-.}" ] || echo temporary; \
-                   { mkdir -p '$(BUILD)' && [ -w '$(BUILD)' ]; } 2>/dev/null || echo build; \
-                   case $$($(CC) -dumpmachine 2>/dev/null) in (*mingw*) echo windows ;; esac)
-$(if $(filter compiler,$(MISSING)),$(error $(NO_COMPILER)))
-$(if $(filter build,$(MISSING)),$(error nothing can be written into $(BUILD): name another directory, \
-    for example make BUILD=/tmp/course))
-ifneq ($(filter temporary,$(MISSING)),)
-$(warning TMPDIR=$(TMPDIR) is no directory: /tmp is taken)
-export TMPDIR := /tmp
-endif
-# Windows itself draws the pictures. It has no fork() and no signals, which the check needs, calls
-# directories otherwise than the shell of MSYS2, converts to float in its isfinite(), and has a printf()
-# of its own without %zu.
-ifneq ($(filter windows,$(MISSING)),)
-POSIX := $(filter-out all programs models new $(patsubst %/.new,%,$(wildcard */.new)) $(STEPS) \
-             $(BUILD)/%,$(MAKECMDGOALS))
-$(if $(POSIX),$(error make $(POSIX) needs WSL: README.md, "Start"))
-override MAKE_TERMOUT =
-BUILT := $(or $(shell cygpath -am '$(BUILD)' 2>/dev/null),$(BUILT))
-WARNINGS += -Wno-float-conversion
-DEFINES += -D__USE_MINGW_ANSI_STDIO=1
-endif
-endif
+# What a machine must have, and what Windows has otherwise.
+include $(wildcard tests/student/machine.mk)
 
 # Changes only when the compiler or its flags do, and then everything is built again.
 $(BUILD)/flags: force

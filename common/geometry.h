@@ -3,7 +3,7 @@
  *
  * Conventions of the whole course, stated here once:
  *
- *   World      right-handed, y up. A camera looks along -z of its own frame.
+ *   World      right-handed, y up. A camera looks along its own -z.
  *   Matrices   m[row][column], applied to column vectors from the left:
  *              clip = projection * view * position.
  *   Image      pixel (0,0) is bottom-left. Pixel (x,y) covers x..x+1, y..y+1: its centre is at
@@ -34,7 +34,7 @@ struct vec3 {
     double x, y, z;
 };
 
-/* A homogeneous position: stands for (x/w, y/w, z/w); w = 0 is a direction. */
+/* A homogeneous position: it means (x/w, y/w, z/w); w = 0 is a direction. */
 struct vec4 {
     double x, y, z, w;
 };

@@ -2,7 +2,7 @@
  * Meshes of triangles, and how their corners are reached. model_file.h reads them.
  *
  * A model is a list of faces of three corners; each corner names a position, a texture coordinate
- * and a normal, each by its own index. Positions are kept in double, so that a model may stand far
+ * and a normal, each by its own index. Positions are kept in double, so that a model may be far
  * from the origin; all else is rounded to float. The accessors give vectors. Polygons are cut into
  * triangles as they are read, concave ones too (polygon.h). Every index is checked, so every index
  * in a loaded model is valid; every number is finite and within the range of a float, so that
@@ -31,7 +31,7 @@ struct face {
     struct corner corner[3]; /* counterclockwise as seen from outside */
 };
 
-/* The textures that may lie beside NAME.obj, read when first asked for; also under other usual
+/* The textures next to NAME.obj, read when first asked for; also under other usual
  * names, as model_file.c knows them. */
 enum model_texture_kind {
     MODEL_DIFFUSE,    /* NAME_diffuse.tga: the colour of the surface */
@@ -84,7 +84,7 @@ struct model {
     size_t warning_line[MODEL_WARNINGS]; /* where each is first, from 1; 0: nowhere */
     char *path;                          /* the file, for messages and for its textures */
     int turns[3]; /* quarter turns around x, y, z since it was read: see fit.h */
-    const char *texture_files[MODEL_TEXTURE_KINDS]; /* to read instead; NULL: those beside it */
+    const char *texture_files[MODEL_TEXTURE_KINDS]; /* to read instead; NULL: those next to it */
     struct texture textures[MODEL_TEXTURE_KINDS];   /* empty until first asked for */
     uint64_t bytes_read;                            /* of the file and of its textures */
 };

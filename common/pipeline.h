@@ -186,7 +186,7 @@ bool pipeline_draw(struct pipeline *pipeline, const struct draw_call *call,
                    const struct shader *shader, const void *uniforms, size_t size,
                    struct error *error);
 
-/* Draw all that was recorded into an image of the pipeline's size, format BGR or BGRA; what nothing
+/* Draw everything recorded into an image of the pipeline's size, format BGR or BGRA; what nothing
  * covers is as `clearing` says. False when memory runs out, with the image as it was. */
 bool pipeline_finish(struct pipeline *pipeline, struct image *image, struct error *error);
 

@@ -177,7 +177,7 @@ bool edges_setup(struct edges *edges, struct fixed2 a, struct fixed2 b, struct f
 /* The covered pixels of row y (y_begin <= y < y_end), found with one exact division per edge. */
 struct span edges_span(const struct edges *edges, int y);
 
-/* The weights of corners a, b and c at the centre of a pixel: their sum is 1 (but for rounding),
+/* The weights of corners a, b and c at the centre of a pixel: their sum is 1 (except for rounding),
  * and inside the triangle none is negative. Each is the exact edge value divided by the area, so
  * nothing drifts along a row. */
 static inline struct vec3 edges_weights(const struct edges *edges, int x, int y) {

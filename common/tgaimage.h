@@ -66,7 +66,7 @@ void image_clear(struct image *image, struct color color);
 
 /* ---- TGA. image_read() of image_file.h reads files; only tga_write() names one. ---- */
 
-/* Can the bytes be a TGA of these types? TGA has no signature: all that tells is that the header
+/* Can the bytes be a TGA of these types? TGA has no signature: the only sign is that the header
  * names an image type and a colour map type that exist. */
 bool tga_is_possible(const void *data, size_t size);
 

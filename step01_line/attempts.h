@@ -234,24 +234,13 @@ static inline void line_by_runs(struct image *image, struct pixel a, struct pixe
 
 /* ---- The table ---- */
 
-struct line_attempt {
-    const char *name;
-    line_function *draw;
-};
-
 enum { LINE_ATTEMPT_COUNT = 9 };
 
-static inline struct line_attempt line_attempt(int index) {
-    static const struct line_attempt attempts[LINE_ATTEMPT_COUNT] = {
-        {"1 hundred steps", attempt_1_hundred_steps},
-        {"2 ten steps", attempt_2_ten_steps},
-        {"3 step per column", attempt_3_step_per_column},
-        {"4 swapped", attempt_4_swapped},
-        {"5 division outside", attempt_5_division_outside},
-        {"6 accumulated", attempt_6_accumulated},
-        {"7 two parts", attempt_7_two_parts},
-        {"by cases", attempt_by_cases},
-        {"by runs", line_by_runs},
+static inline line_function *line_attempt(int index) {
+    static line_function *const attempts[LINE_ATTEMPT_COUNT] = {
+        attempt_1_hundred_steps, attempt_2_ten_steps,        attempt_3_step_per_column,
+        attempt_4_swapped,       attempt_5_division_outside, attempt_6_accumulated,
+        attempt_7_two_parts,     attempt_by_cases,           line_by_runs,
     };
     return attempts[index];
 }

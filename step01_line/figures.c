@@ -52,7 +52,7 @@ static bool draw_attempts(const char *directory, struct error *error) {
         if (!image_create(&image, 100, 100, IMAGE_BGR, error)) {
             return false;
         }
-        draw_three_lines(&image, line_attempt(i).draw);
+        draw_three_lines(&image, line_attempt(i));
         done = save_enlarged(&image, directory, names[i], error);
         image_free(&image);
     }

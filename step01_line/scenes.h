@@ -164,7 +164,7 @@ static bool draw_far(struct drawing *drawing, struct image *image, struct error 
         {{-1000000, -622949}, {999999, 622952}, {255, 0, 128, 255}},  /* a little below one */
         {{1000000, 96}, {-1000000, 96}, {0, 128, 255, 255}},
         {{3, 1000000}, {3, -1000000}, {255, 0, 255, 255}},
-        {{-1000000, 50}, {-1, 50}, {255, 255, 255, 255}}, /* none of these three comes in */
+        {{-1000000, 50}, {-1, 50}, {255, 255, 255, 255}}, /* these three stay outside */
         {{100, 0}, {100, 99}, {255, 255, 255, 255}},
         {{-1000000, -1000000}, {-5, 90}, {255, 255, 255, 255}},
     };
@@ -238,7 +238,7 @@ static bool draw_shape(const struct drawing *drawing, struct image *image,
     struct pixel a = shape_end(shape, 0), b = shape_end(shape, 1);
     int attempt = (int)drawing_value(drawing, "attempt");
     if (attempt > 0) {
-        line_attempt(attempt - 1).draw(image, a, b, shape->color[0]);
+        line_attempt(attempt - 1)(image, a, b, shape->color[0]);
     } else if (memcmp(&shape->color[0], &shape->color[1], sizeof shape->color[0]) == 0) {
         line(image, a, b, shape->color[0]);
     } else {

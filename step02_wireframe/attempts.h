@@ -15,17 +15,12 @@
 #include <stdint.h>
 #include <stdlib.h>
 
-/* What a wireframe cost. */
-struct work {
-    uint64_t tested; /* pixels looked at */
-};
-
 /* ---- Wireframes ---- */
 
 /* The line of step 1: every pixel of the whole line is visited, and image_set() tests whether it is
  * in the image. Wasteful: of a line that reaches far out, almost nothing is seen. */
 static inline void attempt_line_tested(struct image *image, struct pixel a, struct pixel b,
-                                       struct color color, struct work *work) {
+                                       struct color color) {
     struct course course = course_from(a, b);
     int64_t u = course.u, v = course.v, error = -course.run;
     for (int64_t k = 0; k <= course.run; k++) {
@@ -37,12 +32,11 @@ static inline void attempt_line_tested(struct image *image, struct pixel a, stru
             error -= 2 * course.run;
         }
     }
-    work->tested += (uint64_t)course.run + 1;
 }
 
 /* One side, cut or tested. */
 static inline void attempt_side(struct image *image, const struct model *model, uint32_t p,
-                                uint32_t q, bool cut, struct work *work) {
+                                uint32_t q, bool cut) {
     const struct color white = color_rgb(255, 255, 255);
     struct pixel a, b;
     if (!to_pixel(model->positions[p], image->width, image->height, &a) ||
@@ -50,60 +44,52 @@ static inline void attempt_side(struct image *image, const struct model *model, 
         return;
     }
     if (cut) {
-        work->tested += line(image, a, b, white);
+        line(image, a, b, white);
     } else {
-        attempt_line_tested(image, a, b, white, work);
+        attempt_line_tested(image, a, b, white);
     }
 }
 
 /* Three lines for every face. Wasteful: nearly every side belongs to two faces and is drawn
  * twice. */
-static inline struct work attempt_faces(struct image *image, const struct model *model, bool cut) {
-    struct work work = {0};
+static inline void attempt_faces(struct image *image, const struct model *model, bool cut) {
     for (size_t i = 0; i < model->face_count; i++) {
         const struct corner *corner = model->faces[i].corner;
         for (size_t j = 0; j < 3; j++) {
-            attempt_side(image, model, corner[j].position, corner[(j + 1) % 3].position, cut,
-                         &work);
+            attempt_side(image, model, corner[j].position, corner[(j + 1) % 3].position, cut);
         }
     }
-    return work;
 }
 
-static inline struct work attempt_1_every_side_tested(struct image *image,
-                                                      const struct model *model) {
-    return attempt_faces(image, model, false);
+static inline void attempt_1_every_side_tested(struct image *image, const struct model *model) {
+    attempt_faces(image, model, false);
 }
 
-static inline struct work attempt_2_every_side_cut(struct image *image, const struct model *model) {
-    return attempt_faces(image, model, true);
+static inline void attempt_2_every_side_cut(struct image *image, const struct model *model) {
+    attempt_faces(image, model, true);
 }
 
 /* Every side of the list (made as prepare() in scenes.h makes it), tested pixel by pixel. */
-static inline struct work attempt_3_each_once_tested(struct image *image, const struct model *model,
-                                                     const struct side *sides, size_t side_count) {
-    struct work work = {0};
+static inline void attempt_3_each_once_tested(struct image *image, const struct model *model,
+                                              const struct side *sides, size_t side_count) {
     for (size_t i = 0; i < side_count; i++) {
-        attempt_side(image, model, sides[i].low, sides[i].high, false, &work);
+        attempt_side(image, model, sides[i].low, sides[i].high, false);
     }
-    return work;
 }
 
 /* A shortcut instead of the list: draw a side only where it goes from the smaller number to the
  * larger. In a closed mesh the other face has it the other way round, so it is drawn once. Wrong
  * for a mesh with a border: half of the border, by chance, is missing. */
-static inline struct work attempt_4_one_direction(struct image *image, const struct model *model) {
-    struct work work = {0};
+static inline void attempt_4_one_direction(struct image *image, const struct model *model) {
     for (size_t i = 0; i < model->face_count; i++) {
         const struct corner *corner = model->faces[i].corner;
         for (size_t j = 0; j < 3; j++) {
             uint32_t p = corner[j].position, q = corner[(j + 1) % 3].position;
             if (p < q) {
-                attempt_side(image, model, p, q, true, &work);
+                attempt_side(image, model, p, q, true);
             }
         }
     }
-    return work;
 }
 
 /* ---- A cut that moves pixels ---- */
@@ -129,18 +115,17 @@ static inline bool attempt_shorten(double *p_on, double *p_off, double *q_on, do
 
 /* The usual way: compute where the line crosses the borders of the image, round these points to
  * pixels, and draw a line between them. Wrong: the new line has another slope. It lies within one
- * pixel of the right one, and differs from it in many pixels. Returns the number of its pixels. */
-static inline uint64_t attempt_line_ends_rounded(struct image *image, struct pixel a,
-                                                 struct pixel b, struct color color) {
+ * pixel of the right one, and differs from it in many pixels. */
+static inline void attempt_line_ends_rounded(struct image *image, struct pixel a, struct pixel b,
+                                             struct color color) {
     double ax = a.x, ay = a.y, bx = b.x, by = b.y;
     double right = (double)image->width - 1, top = (double)image->height - 1;
     if (attempt_shorten(&ax, &ay, &bx, &by, 0, right) &&
         attempt_shorten(&ay, &ax, &by, &bx, 0, top)) {
         struct pixel new_a = {(int)floor(ax + 0.5), (int)floor(ay + 0.5)};
         struct pixel new_b = {(int)floor(bx + 0.5), (int)floor(by + 0.5)};
-        return line(image, new_a, new_b, color);
+        line(image, new_a, new_b, color);
     }
-    return 0;
 }
 
 #endif

@@ -259,7 +259,7 @@ static const struct cut_line {
     {{40, TOP + 90}, {RIGHT + 10, -301}, WHITE},
     {{-1000000, -612345}, {999999, 612421}, WHITE},
     {{-499979, 1000000}, {500121, -999901}, WHITE},
-    /* one end inside, the other beside the image, or far away */
+    /* one end inside, the other just outside the image, or far away */
     {{80, 50}, {RIGHT + 1, 77}, RED},
     {{80, 50}, {-1, 20}, RED},
     {{80, 50}, {101, TOP + 200}, RED},
@@ -273,7 +273,7 @@ static const struct cut_line {
     /* in with its last step aside alone */
     {{10, -7}, {60, 0}, WHITE},
     {{RIGHT + 7, 90}, {RIGHT, 30}, WHITE},
-    /* outside: beside, above and below, past a corner */
+    /* outside: left or right, above and below, past a corner */
     {{-9, -5}, {-1, TOP + 5}, WHITE},
     {{RIGHT + 1, -5}, {RIGHT + 1, TOP + 5}, WHITE},
     {{-5, TOP + 1}, {RIGHT + 9, TOP + 2}, WHITE},

@@ -13,20 +13,15 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/* Where an attempt draws. */
-struct target {
-    struct image *image;
-};
-
 /* For attempts that test pixel after pixel of a row: this writes neighbouring pixels at once.
  * `begin` is where they began, -1 while there are none; after the last pixel comes one more call
  * that is not `inside`. */
-static inline void target_test(struct target *target, int *begin, int x, int y, bool inside,
-                               struct color color) {
+static inline void attempt_test(struct image *image, int *begin, int x, int y, bool inside,
+                                struct color color) {
     if (inside && *begin < 0) {
         *begin = x;
     } else if (!inside && *begin >= 0) {
-        image_fill_row(target->image, y, *begin, x, color);
+        image_fill_row(image, y, *begin, x, color);
         *begin = -1;
     }
 }
@@ -59,7 +54,7 @@ static inline int64_t attempt_side_at(struct pixel a, struct pixel b, int y) {
  * Wrong: corners lose their fractions; both end rows and both end pixels are drawn, so neighbours
  * overlap everywhere; rounding towards a corner leaves notches. Looks ragged, and colours of later
  * triangles eat into those of earlier ones. */
-static inline void attempt_1_sweep_whole(struct target *target, const struct vec2 corner[3],
+static inline void attempt_1_sweep_whole(struct image *image, const struct vec2 corner[3],
                                          struct color color) {
     struct vec2 sorted[3] = {corner[0], corner[1], corner[2]};
     struct pixel p[3];
@@ -67,7 +62,7 @@ static inline void attempt_1_sweep_whole(struct target *target, const struct vec
     for (int i = 0; i < 3; i++) {
         p[i] = (struct pixel){(int)sorted[i].x, (int)sorted[i].y};
     }
-    int top = (int)target->image->height - 1, right_most = (int)target->image->width - 1;
+    int top = (int)image->height - 1, right_most = (int)image->width - 1;
     for (int y = p[0].y > 0 ? p[0].y : 0; y <= p[2].y && y <= top; y++) {
         int64_t left = attempt_side_at(p[0], p[2], y);
         int64_t right =
@@ -77,7 +72,7 @@ static inline void attempt_1_sweep_whole(struct target *target, const struct vec
             left = right;
             right = kept;
         }
-        image_fill_row(target->image, y, (int)(left > 0 ? left : 0),
+        image_fill_row(image, y, (int)(left > 0 ? left : 0),
                        (int)(right < right_most ? right : right_most) + 1, color);
     }
 }
@@ -86,14 +81,14 @@ static inline void attempt_1_sweep_whole(struct target *target, const struct vec
  * Nearly right: but the sums drift, and an edge that is one piece for this triangle is swept in two
  * pieces by its neighbour, which then rounds differently. Looks right, with single pixels missing
  * or drawn twice along the edges. */
-static inline void attempt_2_sweep_float(struct target *target, const struct vec2 corner[3],
+static inline void attempt_2_sweep_float(struct image *image, const struct vec2 corner[3],
                                          struct color color) {
     struct vec2 p[3] = {corner[0], corner[1], corner[2]};
     attempt_sort_by_y(p);
-    float width = (float)target->image->width;
+    float width = (float)image->width;
     for (int half = 0; half < 2; half++) {
         struct vec2 low = p[half], high = p[half + 1]; /* the short side of this half */
-        double height = (double)target->image->height;
+        double height = (double)image->height;
         int y_begin = (int)attempt_clamp(floor(low.y - 0.5) + 1, 0, height);
         int y_end = (int)attempt_clamp(floor(high.y - 0.5) + 1, 0, height);
         if (y_begin >= y_end) {
@@ -109,7 +104,7 @@ static inline void attempt_2_sweep_float(struct target *target, const struct vec
             float right = short_x < long_x ? long_x : short_x;
             int begin = (int)attempt_clamp(ceil(left - 0.5F), 0, width);
             int end = (int)attempt_clamp(ceil(right - 0.5F), 0, width);
-            image_fill_row(target->image, y, begin, end, color);
+            image_fill_row(image, y, begin, end, color);
             short_x += short_step;
             long_x += long_step;
         }
@@ -135,9 +130,9 @@ static inline struct attempt_box attempt_box(const struct image *image, const st
  * Wrong: a pixel centre on a shared edge is inside both triangles, and rounding moves centres that
  * are near an edge across it, differently for the two neighbours. At least half of the tested
  * pixels are outside. Looks right; the count of draws shows the edges. */
-static inline void attempt_3_box_float(struct target *target, const struct vec2 p[3],
+static inline void attempt_3_box_float(struct image *image, const struct vec2 p[3],
                                        struct color color) {
-    struct attempt_box box = attempt_box(target->image, p);
+    struct attempt_box box = attempt_box(image, p);
     float ax = (float)p[0].x, ay = (float)p[0].y;
     float abx = (float)p[1].x - ax, aby = (float)p[1].y - ay;
     float acx = (float)p[2].x - ax, acy = (float)p[2].y - ay;
@@ -149,9 +144,9 @@ static inline void attempt_3_box_float(struct target *target, const struct vec2 
             float b = (dx * acy - dy * acx) / area;
             float c = (abx * dy - aby * dx) / area;
             bool inside = b >= 0 && c >= 0 && 1 - b - c >= 0;
-            target_test(target, &begin, x, y, inside, color);
+            attempt_test(image, &begin, x, y, inside, color);
         }
-        target_test(target, &begin, box.x_end, y, false, color);
+        attempt_test(image, &begin, box.x_end, y, false, color);
     }
 }
 
@@ -164,9 +159,9 @@ static inline struct vec3 attempt_weights(const struct vec2 p[3], double area, d
 }
 
 /* A pixel is drawn when no weight is less than `least` (when `open`: when all are more). */
-static inline void attempt_box_double(struct target *target, const struct vec2 p[3],
+static inline void attempt_box_double(struct image *image, const struct vec2 p[3],
                                       struct color color, double least, bool open) {
-    struct attempt_box box = attempt_box(target->image, p);
+    struct attempt_box box = attempt_box(image, p);
     double area = (p[1].x - p[0].x) * (p[2].y - p[0].y) - (p[1].y - p[0].y) * (p[2].x - p[0].x);
     for (int y = box.y_begin; y < box.y_end && area != 0; y++) {
         int begin = -1;
@@ -174,40 +169,40 @@ static inline void attempt_box_double(struct target *target, const struct vec2 p
             struct vec3 weight = attempt_weights(p, area, x + 0.5, y + 0.5);
             double smallest = fmin(weight.x, fmin(weight.y, weight.z));
             bool inside = open ? smallest > least : smallest >= least;
-            target_test(target, &begin, x, y, inside, color);
+            attempt_test(image, &begin, x, y, inside, color);
         }
-        target_test(target, &begin, box.x_end, y, false, color);
+        attempt_test(image, &begin, box.x_end, y, false, color);
     }
 }
 
 /* Attempt 4: the same in double. Fewer roundings, the same fault: both neighbours draw the centres
  * on their edge. Slower. */
-static inline void attempt_4_box_double(struct target *target, const struct vec2 p[3],
+static inline void attempt_4_box_double(struct image *image, const struct vec2 p[3],
                                         struct color color) {
-    attempt_box_double(target, p, color, 0, false);
+    attempt_box_double(image, p, color, 0, false);
 }
 
 /* Attempt 5: all weights must be positive. Now neither draws a centre on a shared edge: holes in
  * the surface. */
-static inline void attempt_5_box_open(struct target *target, const struct vec2 p[3],
+static inline void attempt_5_box_open(struct image *image, const struct vec2 p[3],
                                       struct color color) {
-    attempt_box_double(target, p, color, 0, true);
+    attempt_box_double(image, p, color, 0, true);
 }
 
 /* Attempt 6: a small tolerance, "so that there are no holes". There are none; but now more pixels
  * are drawn twice, and how many depends on the size of the triangle. */
-static inline void attempt_6_box_epsilon(struct target *target, const struct vec2 p[3],
+static inline void attempt_6_box_epsilon(struct image *image, const struct vec2 p[3],
                                          struct color color) {
-    attempt_box_double(target, p, color, -1e-3, false);
+    attempt_box_double(image, p, color, -1e-3, false);
 }
 
 /* Attempt 7: edge functions in float, one addition a pixel and a row, with the top-left rule. Fast,
  * and the rule is right, but the values need more digits than a float has: the sums drift, most on
  * large triangles. Looks right for small triangles; a long edge becomes wavy, and the two sides of
  * a seam don't fit. */
-static inline void attempt_7_edges_float(struct target *target, const struct vec2 p[3],
+static inline void attempt_7_edges_float(struct image *image, const struct vec2 p[3],
                                          struct color color) {
-    struct attempt_box box = attempt_box(target->image, p);
+    struct attempt_box box = attempt_box(image, p);
     double area = (p[1].x - p[0].x) * (p[2].y - p[0].y) - (p[1].y - p[0].y) * (p[2].x - p[0].x);
     float row[3], right[3], up[3];
     bool closed[3];
@@ -229,9 +224,9 @@ static inline void attempt_7_edges_float(struct target *target, const struct vec
                 inside = inside && (value[i] > 0 || (value[i] == 0 && closed[i]));
                 value[i] += right[i];
             }
-            target_test(target, &begin, x, y, inside, color);
+            attempt_test(image, &begin, x, y, inside, color);
         }
-        target_test(target, &begin, box.x_end, y, false, color);
+        attempt_test(image, &begin, box.x_end, y, false, color);
         for (int i = 0; i < 3; i++) {
             row[i] += up[i];
         }

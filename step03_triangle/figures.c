@@ -8,21 +8,19 @@
 
 enum { GRID = 60 }; /* grey level of the lines between enlarged pixels */
 
-typedef void attempt_function(struct target *target, const struct vec2 corner[3],
-                              struct color color);
+typedef void attempt_function(struct image *image, const struct vec2 corner[3], struct color color);
 
 /* The good version: spans. */
-static void draw_spans(struct target *target, const struct vec2 corner[3], struct color color) {
+static void draw_spans(struct image *image, const struct vec2 corner[3], struct color color) {
     struct fixed2 snapped[3];
     if (snap_corners(corner, snapped)) {
-        triangle(target->image, snapped, color);
+        triangle(image, snapped, color);
     }
 }
 
 /* The faces of the bust that show their outside, their corners already snapped to 1/256, so that
  * all attempts get the same. */
 static void draw_bust_by(attempt_function *draw, const struct model *model, struct image *image) {
-    struct target target = {.image = image};
     image_clear(image, color_grey(0));
     for (size_t face = 0, drawn = 0; face < model->face_count; face++) {
         struct fixed2 corner[3];
@@ -30,7 +28,7 @@ static void draw_bust_by(attempt_function *draw, const struct model *model, stru
         if (place_face(model, face, image, corner, &turned_away)) {
             const struct vec2 screen[3] = {in_pixels(corner[0]), in_pixels(corner[1]),
                                            in_pixels(corner[2])};
-            draw(&target, screen, face_color(drawn));
+            draw(image, screen, face_color(drawn));
             drawn++;
         }
     }

@@ -217,7 +217,7 @@ static struct color mix_colors(struct vec3 weight, const struct color color[3]) 
     END SOLUTION */
 }
 
-/* A triangle whose corners have colours of their own. Returns the number of pixels written. */
+/* A triangle with a colour at each corner. Returns the number of pixels written. */
 static uint64_t gradient_triangle(struct image *image, const struct fixed2 corner[3],
                                   const struct color color[3]) {
     uint64_t written = 0;

@@ -285,8 +285,9 @@ static void place_in_fan(int i, const struct image *image, struct fixed2 corner[
 
 /* What is known of a pixel of a mesh. */
 struct counted {
-    uint8_t draws; /* how many triangles have drawn it; 255 stands for more, too */
-    uint8_t shade; /* grey of the last of them */
+    uint8_t draws;  /* how many triangles have drawn it; 255 stands for more, too */
+    uint8_t shade;  /* grey of the last of them */
+    uint8_t wanted; /* how many must draw it */
 };
 
 /* Count the pixels that a triangle has drawn in white, and make them black again. */
@@ -300,29 +301,29 @@ static void count_draws(struct image *image, uint8_t shade, struct counted *coun
     image_clear(image, color_grey(0));
 }
 
-/* Must a triangle of the mesh draw the pixel? */
-static bool in_mesh(const struct covering *mesh, size_t x, size_t y) {
-    return x >= mesh->begin && x < mesh->end && y >= mesh->begin && y < mesh->end;
+/* Grey: drawn as often as it must be. Orange: drawn too often. Magenta: not drawn. */
+static struct color counted_color(struct counted counted) {
+    return counted.draws > counted.wanted   ? color_rgb(255, 150, 0)
+           : counted.draws < counted.wanted ? color_rgb(255, 0, 160)
+                                            : color_grey(counted.shade);
 }
 
-/* Grey: drawn exactly once, as it must be. Orange: drawn too often. Magenta: not drawn. */
-static struct color counted_color(struct counted counted, int wanted) {
-    return counted.draws > wanted   ? color_rgb(255, 150, 0)
-           : counted.draws < wanted ? color_rgb(255, 0, 160)
-                                    : color_grey(counted.shade);
-}
-
-/* The small image, enlarged. */
-static void show_counted(struct image *image, const struct image *small,
-                         const struct covering *mesh, const struct counted *counted) {
-    for (size_t y = 0; y < image->height; y++) {
-        for (size_t x = 0; x < image->width; x++) {
-            size_t column = x / COUNT_ZOOM, row = y / COUNT_ZOOM;
-            image_set(
-                image, (int)x, (int)y,
-                counted_color(counted[row * small->width + column], in_mesh(mesh, column, row)));
+/* What was counted in an image of that size, enlarged. */
+static void show_counted(struct drawing *drawing, struct image *image, size_t width, size_t height,
+                         const struct counted *counted, int zoom) {
+    uint64_t too_often = 0, missing = 0;
+    for (size_t i = 0; i < width * height; i++) {
+        too_often += counted[i].draws > counted[i].wanted;
+        missing += counted[i].draws < counted[i].wanted;
+    }
+    for (int y = 0; y < (int)image->height; y++) {
+        for (int x = 0; x < (int)image->width; x++) {
+            size_t column = (size_t)(x / zoom), row = (size_t)(y / zoom);
+            image_set(image, x, y, counted_color(counted[row * width + column]));
         }
     }
+    drawing_count(drawing, "pixels_too_often", too_often);
+    drawing_count(drawing, "pixels_missing", missing);
 }
 
 /* The grey of a triangle of a mesh: one of four, lighter where it is given clockwise. */
@@ -335,7 +336,6 @@ static uint8_t mesh_shade(const struct covering *mesh, int i) {
 static void count_mesh(struct drawing *drawing, struct image *small, const struct covering *mesh,
                        struct counted *counted) {
     const struct color white[3] = {{WHITE}, {WHITE}, {WHITE}};
-    uint64_t too_often = 0, missing = 0;
     for (int i = 0; i < mesh->triangle_count; i++) {
         struct fixed2 corner[3];
         mesh->place(i, small, corner);
@@ -343,12 +343,9 @@ static void count_mesh(struct drawing *drawing, struct image *small, const struc
         count_draws(small, mesh_shade(mesh, i), counted);
     }
     for (size_t i = 0; i < small->width * small->height; i++) {
-        int wanted = in_mesh(mesh, i % small->width, i / small->width);
-        too_often += counted[i].draws > wanted;
-        missing += counted[i].draws < wanted;
+        size_t x = i % small->width, y = i / small->width;
+        counted[i].wanted = x >= mesh->begin && x < mesh->end && y >= mesh->begin && y < mesh->end;
     }
-    drawing_count(drawing, "pixels_too_often", too_often);
-    drawing_count(drawing, "pixels_missing", missing);
 }
 
 static bool draw_counted(struct drawing *drawing, struct image *image, const struct covering *mesh,
@@ -362,7 +359,7 @@ static bool draw_counted(struct drawing *drawing, struct image *image, const str
     struct counted *counted = calloc(width * height, sizeof *counted);
     if (counted != NULL) {
         count_mesh(drawing, &small, mesh, counted);
-        show_counted(image, &small, mesh, counted);
+        show_counted(drawing, image, width, height, counted, COUNT_ZOOM);
     }
     bool done = counted != NULL || error_out_of_memory(error);
     free(counted);
@@ -408,7 +405,7 @@ static bool place_snapped(const struct drawing *drawing, const struct text_scene
 static uint64_t fill_shape(const struct drawing *drawing, struct image *image,
                            const struct vec2 screen[3], const struct fixed2 corner[3],
                            const struct color color[3]) {
-    static void (*const attempts[])(struct target *, const struct vec2[3], struct color) = {
+    static void (*const attempts[])(struct image *, const struct vec2[3], struct color) = {
         attempt_1_sweep_whole, attempt_2_sweep_float, attempt_3_box_float,   attempt_4_box_double,
         attempt_5_box_open,    attempt_6_box_epsilon, attempt_7_edges_float,
     };
@@ -416,7 +413,7 @@ static uint64_t fill_shape(const struct drawing *drawing, struct image *image,
     if (attempt == 0) {
         return fill_triangle(drawing, image, corner, color);
     }
-    attempts[attempt - 1](&(struct target){image}, screen, color[0]);
+    attempts[attempt - 1](image, screen, color[0]);
     return 0;
 }
 
@@ -438,12 +435,6 @@ static void note_edges(struct drawing *drawing, const struct image *image,
     }
 }
 
-/* How often each pixel is drawn, and should be. */
-struct surplus {
-    struct counted counted;
-    int wanted;
-};
-
 /* Should the pixel be drawn? Its centre is inside, and a hair to its right and below as well. */
 static bool is_wanted(const struct fixed2 corner[3], int x, int y) {
     const int64_t px = (int64_t)x * SUBPIXELS + SUBPIXELS / 2;
@@ -462,35 +453,20 @@ static bool is_wanted(const struct fixed2 corner[3], int x, int y) {
 
 /* The shape is in the image, in white. */
 static void count_shape(struct image *image, const struct fixed2 corner[3], uint8_t shade,
-                        struct surplus *surplus) {
+                        struct counted *counted) {
     for (size_t i = 0; i < image->width * image->height; i++) {
         int x = (int)(i % image->width), y = (int)(i / image->width);
-        surplus[i].wanted += is_wanted(corner, x, y);
-        if (image->pixels[i * IMAGE_BGR] != 0) {
-            surplus[i].counted.draws++;
-            surplus[i].counted.shade = shade;
-        }
+        counted[i].wanted = (uint8_t)(counted[i].wanted + is_wanted(corner, x, y));
     }
-    image_clear(image, color_grey(0));
-}
-
-static void show_surplus(struct drawing *drawing, struct image *image,
-                         const struct surplus *surplus) {
-    for (size_t i = 0; i < image->width * image->height; i++) {
-        const struct surplus *s = &surplus[i];
-        drawing_count(drawing, "pixels_too_often", s->counted.draws > s->wanted);
-        drawing_count(drawing, "pixels_missing", s->counted.draws < s->wanted);
-        image_set(image, (int)(i % image->width), (int)(i / image->width),
-                  counted_color(s->counted, s->wanted));
-    }
+    count_draws(image, shade, counted);
 }
 
 static bool draw_text(struct drawing *drawing, struct image *image, struct error *error) {
     const struct color white[3] = {{WHITE}, {WHITE}, {WHITE}};
-    const bool counted = drawing_value(drawing, "counted") != 0;
-    struct surplus *surplus = NULL;
+    const bool counts = drawing_value(drawing, "counted") != 0;
+    struct counted *counted = NULL;
     uint64_t written = 0;
-    if (counted && (surplus = calloc(image->width * image->height, sizeof *surplus)) == NULL) {
+    if (counts && (counted = calloc(image->width * image->height, sizeof *counted)) == NULL) {
         return error_out_of_memory(error);
     }
     for (size_t i = 0; i < drawing->text->shape_count; i++) {
@@ -500,9 +476,9 @@ static bool draw_text(struct drawing *drawing, struct image *image, struct error
         if (!place_snapped(drawing, shape, screen, corner)) {
             continue;
         }
-        written += fill_shape(drawing, image, screen, corner, counted ? white : shape->color);
-        if (counted) {
-            count_shape(image, corner, (uint8_t)(90 + 50 * (i % 4)), surplus);
+        written += fill_shape(drawing, image, screen, corner, counts ? white : shape->color);
+        if (counts) {
+            count_shape(image, corner, (uint8_t)(90 + 50 * (i % 4)), counted);
         }
         if (drawing->probed) {
             note_edges(drawing, image, corner, i + 1);
@@ -511,10 +487,10 @@ static bool draw_text(struct drawing *drawing, struct image *image, struct error
     if (drawing_value(drawing, "attempt") == 0) {
         drawing_count(drawing, "pixels_written", written);
     }
-    if (counted) {
-        show_surplus(drawing, image, surplus);
+    if (counts) {
+        show_counted(drawing, image, image->width, image->height, counted, 1);
     }
-    free(surplus);
+    free(counted);
     return true;
 }
 

@@ -34,7 +34,7 @@ static bool draw_flat(struct drawing *drawing, struct image *image, struct error
     return true;
 }
 
-/* A face of its own. */
+/* A face that shares no corner. */
 static bool draw_face(struct drawing *drawing, struct image *image, struct vec3 corners[3],
                       struct error *error) {
     struct face face = {
@@ -59,7 +59,7 @@ static bool draw_face_lit_from_behind(struct drawing *drawing, struct image *ima
     return done;
 }
 
-enum { TINY_SIDE = 36 }; /* of a square of pixels, each with a face of its own */
+enum { TINY_SIDE = 36 }; /* of a square of pixels, each with its own face */
 
 /* Faces smaller than a pixel, around the centres of pixels: they are as bright as large ones. */
 static bool draw_tiny_faces(struct drawing *drawing, struct image *image, struct error *error) {
@@ -101,7 +101,7 @@ static const struct scene scenes[] = {
     {.name = "flat", .needs = NEEDS_MODEL, .draw = draw_flat},
     {.name = "side",
      .needs = NEEDS_MODEL,
-     .width = 719, /* odd, and not the height: who halves or exchanges them sees it */
+     .width = 719, /* odd, and not the height: halved or exchanged, it shows */
      .height = 797,
      .light = {0.4, -0.25, -1},
      .draw = draw_side},

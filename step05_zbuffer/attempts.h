@@ -72,7 +72,7 @@ static inline int attempt_compare_depths(const void *a, const void *b) {
 }
 
 /* Attempt 2: painter's order: sorted by mean depth, the farthest first. The list is changed.
- * Wrong where a large triangle lies beside a small one, where two pass through each other, and
+ * Wrong where a large triangle is next to a small one, where two pass through each other, and
  * where three lie over one another in a circle: then there is no order at all. Sorting costs more
  * with every triangle, and every hidden pixel is drawn. */
 static inline void attempt_2_painter(struct image *image, struct drawn *list, size_t count) {
@@ -127,65 +127,18 @@ static inline uint32_t attempt_whole_depth(double depth, uint32_t most) {
     return 1 + (uint32_t)((inside + 1) / 2 * (most - 1) + 0.5);
 }
 
-static inline bool attempt_keep_8(void *buffer, size_t i, double depth) {
-    uint8_t *kept = (uint8_t *)buffer + i;
-    uint8_t level = (uint8_t)attempt_whole_depth(depth, 255);
-    if (level <= *kept) {
-        return false;
+/* Keep a depth as a whole number of that type, up to `most`. */
+#define ATTEMPT_KEEP_WHOLE(name, type, most)                                                       \
+    static inline bool name(void *buffer, size_t i, double depth) {                                \
+        type *kept = (type *)buffer + i, level = (type)attempt_whole_depth(depth, most);           \
+        bool nearer = level > *kept;                                                               \
+        *kept = nearer ? level : *kept;                                                            \
+        return nearer;                                                                             \
     }
-    *kept = level;
-    return true;
-}
 
-static inline bool attempt_keep_16(void *buffer, size_t i, double depth) {
-    uint16_t *kept = (uint16_t *)buffer + i;
-    uint16_t level = (uint16_t)attempt_whole_depth(depth, 65535);
-    if (level <= *kept) {
-        return false;
-    }
-    *kept = level;
-    return true;
-}
-
-/* 24 bits of 32: the other 8 are often used for something else. */
-static inline bool attempt_keep_24(void *buffer, size_t i, double depth) {
-    uint32_t *kept = (uint32_t *)buffer + i;
-    uint32_t level = attempt_whole_depth(depth, 16777215);
-    if (level <= *kept) {
-        return false;
-    }
-    *kept = level;
-    return true;
-}
-
-/* Attempt 6: 8 bits: steps of 2/254. Surfaces nearer to each other than a step have equal depth,
- * and then the order of drawing decides again: stripes. */
-static inline void attempt_6_depth_8(struct image *image, const struct drawn *list, size_t count,
-                                     void *buffer) {
-    memset(buffer, 0, image->width * image->height * sizeof(uint8_t));
-    attempt_draw(image, list, count, attempt_keep_8, buffer);
-}
-
-/* Attempt 7: 16 bits: steps of 3.1e-5. Enough for one head, not for a landscape. */
-static inline void attempt_7_depth_16(struct image *image, const struct drawn *list, size_t count,
-                                      void *buffer) {
-    memset(buffer, 0, image->width * image->height * sizeof(uint16_t));
-    attempt_draw(image, list, count, attempt_keep_16, buffer);
-}
-
-/* Attempt 8: 24 bits: steps of 1.2e-7. */
-static inline void attempt_8_depth_24(struct image *image, const struct drawn *list, size_t count,
-                                      void *buffer) {
-    memset(buffer, 0, image->width * image->height * sizeof(uint32_t));
-    attempt_draw(image, list, count, attempt_keep_24, buffer);
-}
-
-/* Attempt 9: float: steps of 6e-8 near -1 and 1, and finer towards 0. */
-static inline void attempt_9_float(struct image *image, const struct drawn *list, size_t count,
-                                   void *buffer) {
-    attempt_fill_float(buffer, image->width * image->height, -INFINITY);
-    attempt_draw(image, list, count, attempt_keep_float, buffer);
-}
+ATTEMPT_KEEP_WHOLE(attempt_keep_8, uint8_t, 255)
+ATTEMPT_KEEP_WHOLE(attempt_keep_16, uint16_t, 65535)
+ATTEMPT_KEEP_WHOLE(attempt_keep_24, uint32_t, 16777215) /* the other 8 bits are often used */
 
 /* Cameras with perspective (lesson 8) store near/distance or 1 - near/distance, because these are
  * straight on the screen. Here the eye is at depth 2, and nothing is nearer to it than 0.001. */
@@ -201,21 +154,36 @@ static inline bool attempt_keep_reversed(void *buffer, size_t i, double depth) {
     return attempt_keep_float(buffer, i, attempt_near_over_distance(depth));
 }
 
-/* Attempt 10: 1 - near/distance in float, smaller is nearer: all of the scene falls between 0.999
- * and 1, where a float has steps of 6e-8: as coarse as 2.4e-4 of depth at distance 2. */
-static inline void attempt_10_float_from_near(struct image *image, const struct drawn *list,
-                                              size_t count, void *buffer) {
-    attempt_fill_float(buffer, image->width * image->height, INFINITY);
-    attempt_draw(image, list, count, attempt_keep_from_near, buffer);
-}
+/* Attempts 6 to 11: what a depth is kept in. */
+struct attempt_buffer {
+    const char *name;
+    depth_test *test;
+    float nothing; /* what is there before the first triangle; whole numbers begin with 0 */
+};
 
-/* Attempt 11: near/distance in float, larger is nearer ("reversed" depth): the same scene falls
- * near 0, where a float's steps are fine. (Lapidous and Jiao, "Optimal Depth Buffer for Low-Cost
- * Graphics Hardware", 1999.) */
-static inline void attempt_11_float_reversed(struct image *image, const struct drawn *list,
-                                             size_t count, void *buffer) {
-    attempt_fill_float(buffer, image->width * image->height, -INFINITY);
-    attempt_draw(image, list, count, attempt_keep_reversed, buffer);
+static const struct attempt_buffer attempt_buffers[] = {
+    /* Steps of 2/254. Surfaces nearer to each other than a step have equal depth, and then the
+     * order of drawing decides again: stripes. */
+    {"6 8 bits", attempt_keep_8, 0},
+    /* Steps of 3.1e-5. Enough for one head, not for a landscape. */
+    {"7 16 bits", attempt_keep_16, 0},
+    /* Steps of 1.2e-7. */
+    {"8 24 bits", attempt_keep_24, 0},
+    /* Steps of 6e-8 near -1 and 1, and finer towards 0. */
+    {"9 float", attempt_keep_float, -INFINITY},
+    /* Smaller is nearer: all of the scene falls between 0.999 and 1, where a float has steps of
+     * 6e-8: as coarse as 2.4e-4 of depth at distance 2. */
+    {"10 float, 1 - near/distance", attempt_keep_from_near, INFINITY},
+    /* Larger is nearer ("reversed" depth): the same scene falls near 0, where a float's steps are
+     * fine. (Lapidous and Jiao, "Optimal Depth Buffer for Low-Cost Graphics Hardware", 1999.) */
+    {"11 float, near/distance", attempt_keep_reversed, -INFINITY},
+};
+enum { ATTEMPT_BUFFERS = sizeof attempt_buffers / sizeof attempt_buffers[0] };
+
+static inline void attempt_draw_with(const struct attempt_buffer *kind, struct image *image,
+                                     const struct drawn *list, size_t count, void *buffer) {
+    attempt_fill_float(buffer, image->width * image->height, kind->nothing);
+    attempt_draw(image, list, count, kind->test, buffer);
 }
 
 #endif

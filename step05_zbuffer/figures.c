@@ -80,14 +80,8 @@ struct version {
 static const struct version versions[] = {
     {"2 painter's order", draw_painter},
     {"3 mean depth", attempt_3_mean_depth},
-    {"6 8 bits", attempt_6_depth_8},
-    {"7 16 bits", attempt_7_depth_16},
-    {"8 24 bits", attempt_8_depth_24},
-    {"9 float", attempt_9_float},
-    {"10 float, 1 - near/distance", attempt_10_float_from_near},
-    {"11 float, near/distance", attempt_11_float_reversed},
 };
-enum { FIRST_OF_FEW_BITS = 2, VERSION_COUNT = sizeof versions / sizeof versions[0] };
+enum { VERSIONS = sizeof versions / sizeof versions[0] };
 
 /* ---- What lesson 4 draws ---- */
 
@@ -143,7 +137,7 @@ static void make_circle(struct drawn bars[3]) {
 enum { FLOOR_TREES = 6, FLOOR_COUNT = FLOOR_TREES + 2 };
 
 /* A floor seen from obliquely above, of two triangles: its depth falls from 0.9 at the bottom of
- * the picture to -0.9 at the top. The trees stand on it upright: one depth each. */
+ * the picture to -0.9 at the top. The trees on it are upright: one depth each. */
 static void make_floor(struct drawn list[FLOOR_COUNT]) {
     static const struct vec2 foot[FLOOR_TREES] = {{60, 150}, {130, 120}, {205, 140},
                                                   {170, 85}, {90, 60},   {220, 40}};
@@ -174,7 +168,7 @@ static bool draw_large(const char *name, const struct drawn *list, size_t count,
     if (done) {
         draw_right(&right, list, count, depth);
         sheet_add_detail(&sheet, &right, detail_of_whole(&right, 1, 0));
-        for (int i = 0; i < FIRST_OF_FEW_BITS; i++) {
+        for (int i = 0; i < VERSIONS; i++) {
             versions[i].draw(&sheet.panel, list, count, buffer);
             printf("%-6s %-28s %6zu pixels wrong\n", name, versions[i].name,
                    different_pixels(&right, &sheet.panel));
@@ -216,9 +210,11 @@ static void make_sheets(struct drawn list[4]) {
 }
 
 static bool draw_sheets(const char *directory, double *depth, void *buffer, struct error *error) {
-    enum { FIRST = FIRST_OF_FEW_BITS, STRIPS = VERSION_COUNT - FIRST + 1 };
-    struct sheet sheet = {
-        .width = SHEETS_WIDTH, .height = SHEETS_HEIGHT, .columns = 1, .rows = STRIPS, .gap = 6};
+    struct sheet sheet = {.width = SHEETS_WIDTH,
+                          .height = SHEETS_HEIGHT,
+                          .columns = 1,
+                          .rows = ATTEMPT_BUFFERS + 1,
+                          .gap = 6};
     struct drawn list[4];
     struct image right = {0};
     bool done = sheet_create(&sheet, error) &&
@@ -226,15 +222,15 @@ static bool draw_sheets(const char *directory, double *depth, void *buffer, stru
     make_sheets(list);
     if (done) {
         image_clear(&right, list[2].color); /* the orange sheet is nowhere behind the blue one */
-        for (int i = 0; i < STRIPS; i++) {
-            bool last = i == STRIPS - 1;
-            if (last) {
-                draw_right(&sheet.panel, list, 4, depth);
+        for (int i = 0; i <= ATTEMPT_BUFFERS; i++) {
+            const char *name = "double (main.c)";
+            if (i < ATTEMPT_BUFFERS) {
+                name = attempt_buffers[i].name;
+                attempt_draw_with(&attempt_buffers[i], &sheet.panel, list, 4, buffer);
             } else {
-                versions[FIRST + i].draw(&sheet.panel, list, 4, buffer);
+                draw_right(&sheet.panel, list, 4, depth);
             }
-            printf("sheets %-28s %6zu pixels wrong\n",
-                   last ? "double (main.c)" : versions[FIRST + i].name,
+            printf("sheets %-28s %6zu pixels wrong\n", name,
                    different_pixels(&sheet.panel, &right));
             sheet_add(&sheet);
         }

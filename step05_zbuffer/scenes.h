@@ -203,7 +203,7 @@ static bool draw_depth(struct drawing *drawing, struct image *image, struct erro
     return done;
 }
 
-/* The depths of some rows, `more` added to all of them, as a picture of its own. The depths of its
+/* The depths of some rows, `more` added to all of them, as a separate picture. The depths of its
  * first and its last pixel are given. */
 static void show_rows(const struct image *image, size_t begin, size_t end, double *depth,
                       double first, double last, double more) {
@@ -349,7 +349,7 @@ static const struct scene scenes[] = {
         .name = "side",
         .needs = NEEDS_MODEL | NEEDS_DEPTH,
         .width = 800,
-        .height = 600, /* less than the width: who takes it for that mixes rows of depths */
+        .height = 600, /* less than the width: taken for it, rows of depths mix */
         .light = {1, 0, -1},
         .values = model_values,
         .draw = draw_zbuffer,

@@ -32,22 +32,10 @@ static void draw_quad(struct image *image, const struct vertex corners[4],
 
 /* ---- Samplers: a picture of 4x4 texels on a square ---- */
 
-static bool make_small_texture(struct texture *texture, struct error *error) {
-    struct image image;
-    if (!image_create(&image, 4, 4, IMAGE_BGR, error)) {
-        return false;
-    }
-    for (int y = 0; y < 4; y++) {
-        for (int x = 0; x < 4; x++) {
-            struct color bright = color_rgb((uint8_t)(75 + 60 * x), (uint8_t)(75 + 60 * y), 60);
-            struct color blue = color_rgb(20, (uint8_t)(30 * y), (uint8_t)(120 + 40 * x));
-            image_set(&image, x, y, (x + y) % 2 == 0 ? bright : blue);
-        }
-    }
-    bool done = texture_create(texture, &image, error);
-    texture_set_clamp(texture, true);
-    image_free(&image);
-    return done;
+static struct color small_color(int x, int y) {
+    struct color bright = color_rgb((uint8_t)(75 + 60 * x), (uint8_t)(75 + 60 * y), 60);
+    struct color blue = color_rgb(20, (uint8_t)(30 * y), (uint8_t)(120 + 40 * x));
+    return (x + y) % 2 == 0 ? bright : blue;
 }
 
 static bool draw_samplers(const char *directory, struct error *error) {
@@ -56,8 +44,9 @@ static bool draw_samplers(const char *directory, struct error *error) {
                                            attempt_3_unshifted, attempt_4_no_levels};
     struct texture texture = {0};
     struct sheet sheet = {.width = SIDE, .height = SIDE, .columns = 4, .rows = 1, .gap = GAP};
-    bool done = make_small_texture(&texture, error) && sheet_create(&sheet, error);
+    bool done = make_square(&texture, 4, small_color, error) && sheet_create(&sheet, error);
     const int32_t end = SIDE * SUBPIXELS;
+    texture_set_clamp(&texture, true);
     const struct vertex corners[4] = {
         {.position = {0, 0}, .uv = {0, 0}, .recip_w = 1},
         {.position = {end, 0}, .uv = {1, 0}, .recip_w = 1},

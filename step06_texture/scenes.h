@@ -78,7 +78,7 @@ enum {
     LETTERS_ROWS = 3,
     LETTERS_TILE = 32,  /* texels a side */
     LETTERS_STROKE = 4, /* texels; a letter is 3 strokes wide and 5 high */
-    LETTERS_LEFT = 11,  /* texels of a tile beside a letter */
+    LETTERS_LEFT = 11,  /* texels of a tile left of a letter */
     LETTERS_BELOW = 7,
     LETTERS_JOINT = 2 /* dark texels at the left and lower side of a tile */
 };
@@ -386,7 +386,7 @@ static bool draw_checker(struct drawing *drawing, struct image *image, struct er
 
 /* ---- Scenes: room, close and mipmapped ---- */
 
-/* A wall stands on the plane of scene checker, along the left side of a floor. */
+/* A wall on the plane of scene checker, along the left side of a floor. */
 #define ROOM_LEFT  (-3.1)
 #define ROOM_RIGHT 2.3
 #define ROOM_NEAR  1.3

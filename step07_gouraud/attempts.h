@@ -10,7 +10,7 @@
 #include "geometry.h"
 #include "model.h"
 
-/* A triangle that faces the viewer, with all that any version wants to know. */
+/* A triangle that faces the viewer, with everything that any version needs. */
 struct attempt_face {
     struct edges edges;
     struct vertex vertices[3];

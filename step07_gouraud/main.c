@@ -159,9 +159,9 @@ static double integer_power(double base, int power) {
 }
 
 /* The light that a point sends to the camera (Phong, "Illumination for computer generated
- * pictures", 1975). With n the normal, l the direction to the light, r = 2 (n . l) n - l the
- * mirrored direction, and v the direction to the camera. A negative product counts as 0, and what
- * looks away from the light does not shine. */
+ * pictures", 1975). n is the normal, l the direction to the light, r the reflection vector, and v
+ * the direction to the camera. A negative product counts as 0, and what looks away from the light
+ * does not shine. */
 static struct light_parts corner_light(struct vec3 position, struct vec3 normal, struct vec3 light,
                                        struct vec3 camera, const struct material *material) {
     struct light_parts parts = {0, 0};

@@ -3,8 +3,8 @@
  *
  * `gouraud` has one intensity at each corner, `colors` a colour. `lit` adds up three kinds of light
  * at each corner, with a light and a camera at points: the ambient, the diffuse and the specular
- * part, and their sum, are four pictures in one. In `behind` the light stands behind the model, the
- * camera beside it, and the surface is another.
+ * part, and their sum, are four pictures in one. In `behind` the light is behind the model, the
+ * camera at its side, and the surface another one.
  */
 
 #include <stdlib.h>

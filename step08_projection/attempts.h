@@ -46,30 +46,6 @@ static inline bool attempt_in_front(struct position *const corner[3]) {
     return (beyond & (BEYOND_NEAR | BEYOND_GUARD_BAND)) == 0;
 }
 
-/* triangle() without correct_weights(): the weights of the screen for everything. That saves a
- * division and a few products a pixel. */
-static inline void attempt_15_affine_triangle(const struct canvas *canvas,
-                                              const struct edges *edges, const struct vertex v[3]) {
-    const struct rectangle area = canvas->area;
-    const struct span columns = {area.x, area.x + area.width};
-    const struct span rows = span_overlap((struct span){edges->y_begin, edges->y_end},
-                                          (struct span){area.y, area.y + area.height});
-    for (int y = rows.begin; y < rows.end; y++) {
-        struct span span = span_overlap(edges_span(edges, y), columns);
-        double *row = canvas->depth + (size_t)y * canvas->image->width;
-        for (int x = span.begin; x < span.end; x++) {
-            struct vec3 w = edges_weights(edges, x, y);
-            double depth = interpolate_depth(w, v[0].depth, v[1].depth, v[2].depth);
-            if (depth > row[x]) {
-                double intensity = interpolate(w, v[0].intensity, v[1].intensity, v[2].intensity);
-                struct vec2 uv = vec2_interpolate(w, v[0].uv, v[1].uv, v[2].uv);
-                row[x] = depth;
-                image_set(canvas->image, x, y, shade(canvas->texture, uv, intensity));
-            }
-        }
-    }
-}
-
 /* Divides by w, whatever w is. A point behind the camera has a negative w, so it appears in front,
  * upside down, and a face with one such corner covers the wrong side of the picture. */
 static inline void attempt_7_unclipped(struct drawing *drawing, struct canvas *canvas,
@@ -125,86 +101,37 @@ static inline struct vec3 attempt_13_inverse_transpose(const struct mat4 *map, s
 
 typedef bool attempt_inverse(struct mat4 a, struct mat4 *inverse);
 
-/* The determinant of a without one row and one column. */
-static inline double attempt_minor(const struct mat4 *a, int without_row, int without_column) {
-    int r[3], c[3];
-    for (int i = 0; i < 3; i++) {
-        r[i] = i < without_row ? i : i + 1;
-        c[i] = i < without_column ? i : i + 1;
-    }
-    return a->m[r[0]][c[0]] *
-               (a->m[r[1]][c[1]] * a->m[r[2]][c[2]] - a->m[r[1]][c[2]] * a->m[r[2]][c[1]]) -
-           a->m[r[0]][c[1]] *
-               (a->m[r[1]][c[0]] * a->m[r[2]][c[2]] - a->m[r[1]][c[2]] * a->m[r[2]][c[0]]) +
-           a->m[r[0]][c[2]] *
-               (a->m[r[1]][c[0]] * a->m[r[2]][c[1]] - a->m[r[1]][c[1]] * a->m[r[2]][c[0]]);
-}
-
 /* By Cramer's rule: transposed cofactors, 16 minors, divided by the determinant. Subtracting nearly
  * equal products loses digits when the matrix is nearly singular, and the determinant of a well
- * behaved matrix may underflow to 0. */
-static inline bool attempt_11_cofactors(struct mat4 a, struct mat4 *inverse) {
-    struct mat4 result;
-    double determinant = 0;
-    for (int row = 0; row < 4; row++) {
-        for (int column = 0; column < 4; column++) {
-            double sign = (row + column) % 2 == 0 ? 1 : -1;
-            result.m[column][row] = sign * attempt_minor(&a, row, column);
-        }
+ * behaved matrix may underflow to 0. A minor is the determinant without one row and one column. */
+#define ATTEMPT_COFACTORS(name, real)                                                              \
+    static inline real name##_minor(const struct mat4 *a, int without_row, int without_column) {   \
+        real m[3][3];                                                                              \
+        for (int i = 0; i < 9; i++) {                                                              \
+            int row = i / 3 < without_row ? i / 3 : i / 3 + 1;                                     \
+            int column = i % 3 < without_column ? i % 3 : i % 3 + 1;                               \
+            m[i / 3][i % 3] = (real)a->m[row][column];                                             \
+        }                                                                                          \
+        real p = m[1][1] * m[2][2], q = m[1][2] * m[2][1], r = m[1][0] * m[2][2];                  \
+        real s = m[1][2] * m[2][0], t = m[1][0] * m[2][1], u = m[1][1] * m[2][0];                  \
+        return m[0][0] * (p - q) - m[0][1] * (r - s) + m[0][2] * (t - u);                          \
+    }                                                                                              \
+    static inline bool name(struct mat4 a, struct mat4 *inverse) {                                 \
+        real cofactor[4][4], determinant = 0;                                                      \
+        for (int i = 0; i < 16; i++) {                                                             \
+            real minor = name##_minor(&a, i / 4, i % 4);                                           \
+            cofactor[i / 4][i % 4] = (i / 4 + i) % 2 == 0 ? minor : -minor;                        \
+        }                                                                                          \
+        for (int column = 0; column < 4; column++) {                                               \
+            determinant += (real)a.m[0][column] * cofactor[0][column];                             \
+        }                                                                                          \
+        for (int i = 0; i < 16 && determinant != 0; i++) {                                         \
+            inverse->m[i % 4][i / 4] = cofactor[i / 4][i % 4] / determinant;                       \
+        }                                                                                          \
+        return determinant != 0;                                                                   \
     }
-    for (int column = 0; column < 4; column++) {
-        determinant += a.m[0][column] * result.m[column][0];
-    }
-    if (determinant == 0) {
-        return false;
-    }
-    for (int row = 0; row < 4; row++) {
-        for (int column = 0; column < 4; column++) {
-            result.m[row][column] /= determinant;
-        }
-    }
-    *inverse = result;
-    return true;
-}
 
-static inline float attempt_minor_float(const float a[4][4], int without_row, int without_column) {
-    float m[3][3];
-    for (int i = 0; i < 3; i++) {
-        for (int k = 0; k < 3; k++) {
-            m[i][k] = a[i < without_row ? i : i + 1][k < without_column ? k : k + 1];
-        }
-    }
-    float p = m[1][1] * m[2][2], q = m[1][2] * m[2][1], r = m[1][0] * m[2][2];
-    float s = m[1][2] * m[2][0], t = m[1][0] * m[2][1], u = m[1][1] * m[2][0];
-    float first = m[0][0] * (p - q), second = m[0][1] * (r - s), third = m[0][2] * (t - u);
-    return first - second + third;
-}
-
-/* The same in float. */
-static inline bool attempt_12_cofactors_float(struct mat4 a, struct mat4 *inverse) {
-    float m[4][4], cofactor[4][4], determinant = 0;
-    for (int i = 0; i < 16; i++) {
-        m[i / 4][i % 4] = (float)a.m[i / 4][i % 4];
-    }
-    for (int row = 0; row < 4; row++) {
-        for (int column = 0; column < 4; column++) {
-            float minor = attempt_minor_float((const float(*)[4])m, row, column);
-            cofactor[row][column] = (row + column) % 2 == 0 ? minor : -minor;
-        }
-    }
-    for (int column = 0; column < 4; column++) {
-        float product = m[0][column] * cofactor[0][column];
-        determinant = determinant + product;
-    }
-    if (determinant == 0) {
-        return false;
-    }
-    for (int row = 0; row < 4; row++) {
-        for (int column = 0; column < 4; column++) {
-            inverse->m[column][row] = cofactor[row][column] / determinant;
-        }
-    }
-    return true;
-}
+ATTEMPT_COFACTORS(attempt_11_cofactors, double)
+ATTEMPT_COFACTORS(attempt_12_cofactors_float, float)
 
 #endif

@@ -66,7 +66,7 @@ static struct mat4 rotate_about(struct vec3 point, double turns) {
 }
 /* END SOLUTION */
 
-/* The map of panel 0..8, row by row from the top left. Each panel is also a scene of its own. S
+/* The map of panel 0..8, row by row from the top left. Each panel is also a scene. S
  * scales x by 1.5 and y by 0.5; R turns by 0.125 of a whole turn about the axis (0,0,1),
  * counterclockwise; M moves by (-0.8, -1.3). */
 static struct mat4 panel_map(int panel) {

@@ -179,6 +179,29 @@ static const struct scene_value matrix_values[] = {
     {.name = NULL},
 };
 
+/* How the house's corner next to the probed pixel gets there: by the matrix, then onto w = 1. */
+static void note_mapped(struct drawing *drawing, const struct image *image,
+                        const struct mat4 *map) {
+    const struct mat4 to_screen = mat4_mul(panel_to_screen(whole_image(image)), *map);
+    double least = INFINITY;
+    struct vec2 nearest = {0, 0};
+    for (size_t i = 0; drawing->probed && i < (size_t)HOUSE_PARTS * PART_CORNERS; i++) {
+        const struct vec2 corner = house[i / PART_CORNERS].corner[i % PART_CORNERS];
+        const struct vec2 at = to_pixels(&to_screen, corner);
+        const double distance = hypot(at.x - 0.5 - drawing->probe.x, at.y - 0.5 - drawing->probe.y);
+        if (distance < least) {
+            least = distance;
+            nearest = corner;
+        }
+    }
+    if (least < INFINITY) {
+        const struct vec4 p = mat4_point(map, (struct vec3){nearest.x, nearest.y, 0});
+        drawing_note(drawing, "corner %.2f %.2f  w 1", nearest.x, nearest.y);
+        drawing_note(drawing, "mapped %.3f %.3f  w %.3f", p.x, p.y, p.w);
+        drawing_note(drawing, "on the plane w = 1: %.3f %.3f", p.x / p.w, p.y / p.w);
+    }
+}
+
 /* The house as it is, unless the matrix is another. */
 static bool draw_unmapped(struct drawing *drawing, struct image *image, struct error *error) {
     (void)error;
@@ -196,6 +219,7 @@ static bool draw_unmapped(struct drawing *drawing, struct image *image, struct e
     }
     const struct mat4 mapped = mat4_mul(twice, map);
     draw_mapped(&plane, &mapped);
+    note_mapped(drawing, image, &map);
     return true;
 }
 
@@ -354,7 +378,7 @@ static void draw_clipped(const struct drawing *drawing, struct canvas *canvas, s
     }
 }
 
-/* Draw a face none of whose corners must be clipped, unless one has no place on the screen. */
+/* Draw a face that needs no clipping, unless a corner has no place on the screen. */
 static void draw_whole(const struct drawing *drawing, struct canvas *canvas, size_t face,
                        struct position *const corner[3]) {
     if (place_face(corner, canvas)) {
@@ -381,16 +405,26 @@ static void draw_face(const struct drawing *drawing, struct canvas *canvas, size
     }
 }
 
+/* Is the corner in the picture, and not behind what is drawn there? */
+static bool is_seen(const struct drawing *drawing, const struct image *image,
+                    const struct position *position) {
+    const struct fixed2 p = position->vertex.position;
+    const double x = floor((double)p.x / SUBPIXELS), y = floor((double)p.y / SUBPIXELS);
+    const double width = (double)image->width;
+    return position->placed && x >= 0 && x < width && y >= 0 && y < (double)image->height &&
+           position->vertex.depth > drawing->depth[(size_t)(y * width + x)] - 0.01;
+}
+
 /* How the corner next to the probed pixel came to the screen. */
-static void note_corner(struct drawing *drawing, const struct state *state,
-                        const struct model *model) {
+static void note_corner(struct drawing *drawing, const struct image *image,
+                        const struct state *state, const struct model *model) {
     double least = INFINITY;
     size_t nearest = 0;
     for (size_t i = 0; drawing->probed && i < model->position_count; i++) {
         const struct fixed2 p = state->positions[i].vertex.position;
         double distance = hypot((double)p.x / SUBPIXELS - 0.5 - drawing->probe.x,
                                 (double)p.y / SUBPIXELS - 0.5 - drawing->probe.y);
-        if (state->positions[i].placed && distance < least) {
+        if (distance < least && is_seen(drawing, image, &state->positions[i])) {
             least = distance;
             nearest = i;
         }
@@ -433,7 +467,7 @@ static void count_work(struct drawing *drawing, const struct canvas *canvas,
 static void draw_model(struct drawing *drawing, struct canvas *canvas, const struct mat4 *to_clip) {
     draw_faces(drawing, canvas, to_clip);
     count_work(drawing, canvas, drawing->model);
-    note_corner(drawing, drawing->state, drawing->model);
+    note_corner(drawing, canvas->image, drawing->state, drawing->model);
 }
 
 /* ---- Scenes with the model ---- */
@@ -529,7 +563,7 @@ static void draw_facets(struct drawing *drawing, struct image *image, struct rec
     draw_model(drawing, &canvas, &to_clip);
 }
 
-/* Once large; and small beside it, from infinitely far away. */
+/* Once large; and small, from infinitely far away, next to it. */
 static bool draw_projection(struct drawing *drawing, struct image *image, struct error *error) {
     (void)error;
     const int size = (int)image->width / 5;
@@ -659,6 +693,42 @@ static struct drawing drawing_of_quads(const struct drawing *drawing, struct qua
 }
 
 /* Draw the quads, transformed by to_clip, with tiles on them. */
+/* How the probed pixel comes to u and v, where a triangle of the quads has it. */
+static void note_texel(struct drawing *drawing, const struct canvas *canvas,
+                       const struct quad_model *made) {
+    const int x = drawing->probe.x, y = drawing->probe.y;
+    for (size_t face = 0; drawing->probed && face < made->model.face_count; face++) {
+        const struct corner *corner = made->model.faces[face].corner;
+        const struct position *p[3];
+        struct edges edges;
+        for (int i = 0; i < 3; i++) {
+            p[i] = &made->places[corner[i].position];
+        }
+        if (!p[0]->placed || !p[1]->placed || !p[2]->placed ||
+            !edges_setup(&edges, p[0]->vertex.position, p[1]->vertex.position,
+                         p[2]->vertex.position, canvas->image->width, canvas->image->height) ||
+            !edges_cover(&edges, x, y)) {
+            continue;
+        }
+        const struct vec3 weights = edges_weights(&edges, x, y);
+        const double weight[3] = {weights.x, weights.y, weights.z};
+        double u = 0, v = 0, u_by_w = 0, v_by_w = 0, recip_w = 0;
+        for (int i = 0; i < 3; i++) {
+            const float *uv = made->uvs[corner[i].uv];
+            const double part = weight[i] * p[i]->vertex.recip_w;
+            u += weight[i] * uv[0];
+            v += weight[i] * uv[1];
+            u_by_w += part * uv[0];
+            v_by_w += part * uv[1];
+            recip_w += part;
+        }
+        drawing_note(drawing, "u/w %.4f  v/w %.4f  1/w %.4f", u_by_w, v_by_w, recip_w);
+        drawing_note(drawing, "u %.4f  v %.4f  w %.4f", u_by_w / recip_w, v_by_w / recip_w,
+                     1 / recip_w);
+        drawing_note(drawing, "affine: u %.4f  v %.4f", u, v);
+    }
+}
+
 static bool draw_quads(struct drawing *drawing, const struct canvas *canvas,
                        const struct quad *quads, size_t count, const struct mat4 *to_clip,
                        struct error *error) {
@@ -672,7 +742,8 @@ static bool draw_quads(struct drawing *drawing, const struct canvas *canvas,
     struct canvas tiled = *canvas;
     draw_faces(&of_quads, &tiled, to_clip);
     count_work(drawing, &tiled, &made.model);
-    note_corner(drawing, &made.state, &made.model);
+    note_corner(drawing, canvas->image, &made.state, &made.model);
+    note_texel(drawing, &tiled, &made);
     texture_free(&tiles);
     return true;
 }
@@ -741,7 +812,8 @@ static bool draw_standing(struct drawing *drawing, struct image *image, const st
 }
 
 static bool draw_wall(struct drawing *drawing, struct image *image, struct error *error) {
-    const struct quad quads[] = {wall, poster};
+    struct quad quads[] = {wall, poster};
+    quads[0].corner[1].z = quads[0].corner[2].z = 2 - 2 * drawing_value(drawing, "far");
     return draw_standing(drawing, image, quads, sizeof quads / sizeof quads[0], error);
 }
 
@@ -850,6 +922,12 @@ static const struct scene_value distance_value[] = {
     {.name = NULL},
 };
 
+static const struct scene_value wall_values[] = {
+    {"far", "w of the wall's far end", 0.5, 8, 0.1, 2},
+    {"affine", "mixed without 1/w", 0, 1, 1, 0},
+    {.name = NULL},
+};
+
 static const struct scene_value view_values[] = {
     {"near", "w of the near plane", 1.0 / 128, 1, 1.0 / 128, 1.0 / 128},
     {"uncut", "faces are not cut at the near plane", 0, 1, 1, 0},
@@ -858,7 +936,7 @@ static const struct scene_value view_values[] = {
 };
 
 static const struct scene scenes[] = {
-    /* Not square, and odd: who exchanges or cuts off sizes or places sees it. */
+    /* Not square, and odd: exchanged or halved sizes show. */
     {
         .name = "house",
         .width = 405,
@@ -885,7 +963,7 @@ static const struct scene scenes[] = {
         .draw = draw_projection,
     },
     {.name = "crossing", .needs = NEEDS_DEPTH, .draw = draw_crossing},
-    {.name = "wall", .needs = NEEDS_DEPTH, .values = view_values, .draw = draw_wall},
+    {.name = "wall", .needs = NEEDS_DEPTH, .values = wall_values, .draw = draw_wall},
     {.name = "narrow", .needs = NEEDS_VIEW, .draw = draw_narrow},
     {
         .name = "lookat",

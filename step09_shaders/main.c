@@ -353,7 +353,7 @@ static lanes_mask toon_fragment(const void *uniforms, const lanes *varyings, lan
     return lanes_all_set();
 }
 
-/* lambert() for sixteen pixels. */
+/* lambert() for several pixels. */
 static lanes lambert_lanes(struct lanes3 normal, struct vec3 to_light) {
     /* BEGIN SOLUTION 9c.3 normals from a picture */
     lanes intensity = lanes3_dot(lanes3_normalized(normal), lanes3_all(to_light));
@@ -421,7 +421,7 @@ struct band {
     struct span rows;  /* of the picture */
     size_t width;      /* of a row */
     double *depth;     /* one a pixel, the band's lowest row first */
-    uint32_t *nearest; /* likewise: 1 + the index of the kept face that is nearest; 0: none */
+    uint32_t *nearest; /* one a pixel: 1 + the index of the nearest kept face; 0: none */
 };
 
 /* Nothing is drawn yet in these rows. */

@@ -26,7 +26,7 @@ static lanes_mask tangent_fragment(const void *uniforms, const lanes *varyings,
     return lanes_all_set();
 }
 
-/* Without loops of its own, which take long to compile. */
+/* Without its own loops, which take long to compile. */
 static const struct shader tangent_mapped = {
     .varying_count = 2 + TANGENT_VARYINGS, .vertex = tangent_vertex, .fragment = tangent_fragment};
 
@@ -99,7 +99,7 @@ static bool draw_cells(struct drawing *drawing, struct image *image, const struc
     return pipeline_end(drawing, done, image, error);
 }
 
-/* ---- Two faces beside a head ---- */
+/* ---- Two faces next to a head ---- */
 
 /* A model of two faces, and what shaders read of it. */
 struct pair {
@@ -217,7 +217,7 @@ static struct draw_call near_call(struct pair *near, struct rectangle cell) {
 
 /* ---- Scenes of simple_draw() ---- */
 
-/* Each corner of a face in a colour of its own: what is in between shows the weights. The colour is
+/* Each corner of a face has its own colour: what is in between shows the weights. The colour is
  * in the first three varyings and in the last three of as many as there may be. The last ones are
  * read: they are black where only some varyings are interpolated. */
 static void corner_vertex(const void *uniforms, size_t face, size_t corner, double *varyings) {
@@ -252,7 +252,7 @@ static void draw_simple_cell(const struct drawing *drawing, const struct canvas 
         camera_call(drawing->model, has_eye ? cell->eye : drawing->eye, drawing->center,
                     drawing->up, cell->zoom, place, cell->cull);
     struct uniforms u = make_uniforms(drawing, cell->zoom * place.width);
-    u.normal_level++; /* not the texture's: who exchanges the levels sees it */
+    u.normal_level++; /* not the texture's: exchanged levels show */
     const struct texture *map = drawing->normal_map;
     const struct simple_shader *shader = cell->shader != &simple_normal_mapped ? cell->shader
                                          : map == NULL        ? &simple_gouraud_textured
@@ -274,7 +274,7 @@ static bool draw_simple_cells(struct drawing *drawing, struct image *image,
     return true;
 }
 
-/* Above: the corners, and beside the head two triangles that cross, at the left in perspective and
+/* Above: the corners, and next to the head two triangles that cross, at the left in perspective and
  * at the right in the parallel view; the normals, and two triangles that reach too far. Below: the
  * corners from so near that perspective is strong, and a shoulder is behind the eye; the inside of
  * the back of the head, and two triangles that reach to the eye. */
@@ -323,7 +323,7 @@ static void draw_in_two_lights(const struct canvas *canvas, struct rectangle cel
     simple_draw(canvas, &call, &simple_flat, &triangle.uniforms);
 }
 
-/* The first one has a square in full light beside it, the third one a triangle in two lights. The
+/* The first one has a square in full light next to it, the third one a triangle in two lights. The
  * last one is seen from where no light falls: what is left is the inside of the lit half; beside
  * it, a square that gets next to none. */
 static bool draw_more_looks(struct drawing *drawing, struct image *image, struct error *error) {
@@ -378,7 +378,7 @@ static lanes_mask steps_fragment(const void *uniforms, const lanes *varyings, la
 
 SHADER(in_steps, .varying_count = 1, .vertex = gouraud_vertex, .fragment = steps_fragment);
 
-/* With a square in full light beside it. */
+/* With a square in full light next to it. */
 static bool draw_toon(struct drawing *drawing, struct image *image, struct error *error) {
     struct pipeline *pipeline = pipeline_begin(drawing);
     const struct rectangle place = grid_cell(image->width, image->height, 1, 1, 0, 0);
@@ -406,7 +406,7 @@ static bool draw_normal_map(struct drawing *drawing, struct image *image, struct
         struct draw_call small_call = pipeline_call(drawing, corner, 1, CULL_BACK);
         struct uniforms u = make_uniforms(drawing, 0.85 * place.width);
         struct uniforms small = make_uniforms(drawing, corner.width);
-        small.diffuse_level++; /* who exchanges the levels sees it */
+        small.diffuse_level++; /* exchanged levels show */
         done = done && pipeline_draw(pipeline, &call, shader, &u, sizeof u, error) &&
                pipeline_draw(pipeline, &small_call, shader, &small, sizeof small, error);
     }
@@ -441,14 +441,14 @@ enum { HEADS = 4, BAND_ROWS = 32 };
 enum way { WAY_SIMPLE = 1, WAY_VISIBLE, WAY_BANDS, WAY_PIPELINE };
 
 /* One behind another, the farthest first. */
-static void make_head_calls(const struct drawing *drawing, const struct image *image,
+static void make_head_calls(const struct drawing *drawing, const struct image *image, double zoom,
                             struct draw_call calls[HEADS]) {
     const struct vec3 behind = {-0.62, 0.06, -0.6}; /* from head to head */
     const struct rectangle whole = grid_cell(image->width, image->height, 1, 1, 0, 0);
     for (int i = 0; i < HEADS; i++) {
         struct mat4 moved =
             mat4_translation(vec3_add((struct vec3){0, 0.27, 0}, vec3_scale(behind, 2 - i)));
-        calls[i] = pipeline_call(drawing, whole, 0.68, CULL_BACK);
+        calls[i] = pipeline_call(drawing, whole, zoom, CULL_BACK);
         calls[i].to_clip = mat4_mul(calls[i].to_clip, moved);
     }
 }
@@ -482,7 +482,7 @@ static bool draw_heads(struct drawing *drawing, struct image *image, struct erro
     const struct canvas canvas = {image, drawing->depth};
     const struct uniforms u = make_uniforms(drawing, 0.85 * (double)image->width);
     struct draw_call calls[HEADS];
-    make_head_calls(drawing, image, calls);
+    make_head_calls(drawing, image, 0.68, calls);
     if (way == WAY_VISIBLE || way == WAY_BANDS) {
         const int rows = way == WAY_BANDS ? BAND_ROWS : (int)image->height;
         return draw_heads_visibly(drawing, &canvas, calls, rows, &u, error);
@@ -499,7 +499,132 @@ static bool draw_heads(struct drawing *drawing, struct image *image, struct erro
     return way == WAY_SIMPLE || pipeline_end(drawing, done, image, error);
 }
 
+/* ---- What is skipped of them, in colours ---- */
+
+enum fate { OUTSIDE, TURNED_AWAY, HIDDEN, SEEN, FATES };
+
+/* Counted by these names. A face that covers no pixel's centre counts as outside. */
+static const struct {
+    const char *name;
+    struct vec3 color;
+} fates[FATES] = {{"outside_red", {255, 60, 40}},
+                  {"turned_away_blue", {70, 110, 255}},
+                  {"hidden_yellow", {250, 200, 0}},
+                  {"seen_white", {255, 255, 255}}};
+
+struct colored {
+    struct uniforms uniforms;
+    struct vec3 color;
+};
+
+static void colored_vertex(const void *uniforms, size_t face, size_t corner, double *varyings) {
+    const struct colored *c = uniforms;
+    const struct vec3 normal = vec3_normalized(model_face_normal(c->uniforms.model, face));
+    (void)corner;
+    varyings[0] = 0.6 + 0.4 * vec3_dot(normal, c->uniforms.to_light);
+}
+
+static bool colored_pixel(const void *uniforms, const double *varyings, struct vec3 *rgb) {
+    *rgb = vec3_scale(((const struct colored *)uniforms)->color, varyings[0]);
+    return true;
+}
+
+static const struct simple_shader simple_colored = {1, colored_vertex, colored_pixel};
+
+/* Find out what becomes of each face of the heads, as visible_draw() does with one band. */
+static bool find_fates(const struct drawing *drawing, const struct canvas *canvas,
+                       unsigned char *fate, struct error *error) {
+    const size_t faces = drawing->model->face_count;
+    const size_t pixels = canvas->image->width * canvas->image->height;
+    struct draw_call calls[HEADS];
+    struct kept_face *kept = malloc((HEADS * faces + 1) * sizeof *kept);
+    struct band band = {{0, (int)canvas->image->height},
+                        canvas->image->width,
+                        canvas->depth,
+                        calloc(pixels, sizeof *band.nearest)};
+    size_t count = 0, *place = calloc(HEADS * faces + 1, sizeof *place);
+    bool done = kept != NULL && band.nearest != NULL && place != NULL;
+    make_head_calls(drawing, canvas->image, 0.68, calls);
+    for (size_t i = 0; done && i < HEADS * faces; i++) {
+        struct placed_face placed;
+        struct edges edges;
+        const struct fixed2 *corner = placed.position;
+        fate[i] = place_face(&calls[i / faces], i % faces, &placed) &&
+                          edges_setup(&edges, corner[0], corner[1], corner[2], band.width,
+                                      canvas->image->height)
+                      ? TURNED_AWAY
+                      : OUTSIDE;
+    }
+    for (size_t head = 0; done && head < HEADS; head++) {
+        const size_t begin = count;
+        count += keep_faces(canvas, &calls[head], kept + count);
+        for (size_t i = begin; i < count; i++) {
+            place[i] = head * faces + kept[i].face;
+            fate[place[i]] = HIDDEN;
+            cover_face(&band, &kept[i], (uint32_t)i + 1);
+        }
+    }
+    for (size_t i = 0; done && i < pixels; i++) {
+        if (band.nearest[i] > 0) {
+            fate[place[band.nearest[i] - 1]] = SEEN;
+        }
+    }
+    free(kept);
+    free(band.nearest);
+    free(place);
+    return done || error_out_of_memory(error);
+}
+
+/* Draw the faces of a head that have this fate, gathered at `some`. */
+static size_t draw_fate(const struct drawing *drawing, const struct canvas *canvas,
+                        struct draw_call call, const unsigned char *fate, enum fate wanted,
+                        struct face *some) {
+    struct model part = *drawing->model;
+    part.faces = some;
+    part.face_count = 0;
+    for (size_t face = 0; face < drawing->model->face_count; face++) {
+        if (fate[face] == wanted) {
+            some[part.face_count++] = drawing->model->faces[face];
+        }
+    }
+    struct colored colored = {make_uniforms(drawing, 1), fates[wanted].color};
+    colored.uniforms.model = call.model = &part;
+    simple_draw(canvas, &call, &simple_colored, &colored);
+    return part.face_count;
+}
+
+/* What the scene's camera sees and skips, from elsewhere. */
+static bool draw_skipped(struct drawing *drawing, struct image *image, struct error *error) {
+    const size_t faces = drawing->model->face_count;
+    const struct canvas canvas = {image, drawing->depth};
+    struct face *some = malloc((faces + 1) * sizeof *some);
+    unsigned char *fate = malloc(HEADS * faces + 1);
+    bool done = (some != NULL && fate != NULL) || error_out_of_memory(error);
+    done = done && find_fates(drawing, &canvas, fate, error);
+    depth_clear(drawing->depth, image->width * image->height);
+    const struct mat4 around =
+        mat4_rotation((struct vec3){0, 1, 0}, drawing_value(drawing, "around") / 360);
+    struct drawing beside = *drawing;
+    beside.eye = mat4_direction(&around, drawing->eye);
+    struct draw_call calls[HEADS];
+    make_head_calls(&beside, image, 0.5, calls);
+    for (size_t i = 0; done && i < HEADS * FATES; i++) {
+        const size_t head = i / FATES;
+        drawing_count(drawing, fates[i % FATES].name,
+                      draw_fate(drawing, &canvas, calls[head], fate + head * faces,
+                                (enum fate)(i % FATES), some));
+    }
+    free(some);
+    free(fate);
+    return done;
+}
+
 /* ---- The program ---- */
+
+static const struct scene_value around_value[] = {
+    {"around", "degrees round the heads, from their camera", -180, 180, 5, 60},
+    {.name = NULL},
+};
 
 static const struct scene_value way_value[] = {
     {"way", "1 simple_draw(), 2 visible_draw(), 3 in bands, 4 the pipeline", 1, 4, 1, 3},
@@ -510,7 +635,7 @@ static const struct scene scenes[] = {
     {
         .name = "loops",
         .needs = NEEDS_MODEL | NEEDS_NORMALS | NEEDS_DEPTH,
-        .width = 806, /* cells of odd sizes, which differ: who exchanges or halves them sees it */
+        .width = 806, /* cells of odd sizes, which differ: exchanged or halved, they show */
         .height = 662,
         .draw = draw_loops,
     },
@@ -551,6 +676,13 @@ static const struct scene scenes[] = {
         .width = 800,
         .values = way_value,
         .draw = draw_heads,
+    },
+    {
+        .name = "skipped",
+        .extra = true,
+        .needs = NEEDS_MODEL | NEEDS_DEPTH,
+        .values = around_value,
+        .draw = draw_skipped,
     },
 };
 

@@ -8,7 +8,7 @@
 
 #include <math.h>
 
-/* ---- The power: base 0..1 to a whole power 0..POWER_LIMIT, for sixteen pixels ---- */
+/* ---- The power: base 0..1 to a whole power 0..POWER_LIMIT, for several pixels ---- */
 
 enum { POWER_LIMIT = 128, POWER_TABLE_LIMIT = 1024 };
 

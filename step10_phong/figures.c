@@ -28,15 +28,10 @@ static bool load_textures(struct drawing *drawing, struct model *model, struct e
     return drawing->diffuse != NULL && drawing->normal_map != NULL && drawing->specular != NULL;
 }
 
-/* The function that colours a panel's pixels, and its material. */
-struct panel {
-    struct shader shader;
-    struct material material;
-};
-
 /* A shader without loops of its own. */
-#define PANEL_SHADER(function)                                                                     \
-    { .varying_count = 8, .vertex = vertex_with_normal, .fragment = (function) }
+#define PANEL_SHADER(name, function)                                                               \
+    static const struct shader name = {                                                            \
+        .varying_count = 8, .vertex = vertex_with_normal, .fragment = (function)}
 
 /* How many panels, and what is seen in each: -1..1 around `center`, in `zoom` of the panel. */
 struct view {
@@ -45,34 +40,21 @@ struct view {
     double zoom;
 };
 
-static bool record_panels(struct pipeline *pipeline, struct drawing *drawing,
-                          const struct view *view, const struct panel *panels,
-                          struct error *error) {
-    bool done = true;
-    drawing->light = view->light;
-    drawing->center = view->center;
-    for (int i = 0; done && i < view->columns * view->rows; i++) {
-        struct rectangle cell = grid_cell(pipeline->width, pipeline->height, view->columns,
-                                          view->rows, i % view->columns, i / view->columns);
-        struct draw_call call = pipeline_call(drawing, cell, view->zoom, CULL_BACK);
-        struct uniforms u = make_uniforms(drawing, view->zoom * PANEL, panels[i].material);
-        done = pipeline_draw(pipeline, &call, &panels[i].shader, &u, sizeof u, error);
-    }
-    return done;
-}
-
-static bool draw_panels(struct model *model, const struct view *view, const struct panel *panels,
+static bool draw_panels(struct model *model, const struct view *view, const struct cell *panels,
                         const char *directory, const char *name, struct error *error) {
     struct drawing drawing = make_drawing(model);
     struct pipeline pipeline = {0};
     struct image image = {0};
     size_t width = (size_t)(view->columns * PANEL), height = (size_t)(view->rows * PANEL);
-    bool done = load_textures(&drawing, model, error) &&
-                image_create(&image, width, height, IMAGE_BGR, error) &&
-                pipeline_create(&pipeline, width, height, error) &&
-                record_panels(&pipeline, &drawing, view, panels, error) &&
-                pipeline_finish(&pipeline, &image, error) &&
-                figure_save(&image, directory, name, error);
+    drawing.light = view->light;
+    drawing.center = view->center;
+    drawing.state = &pipeline;
+    bool done =
+        load_textures(&drawing, model, error) &&
+        image_create(&image, width, height, IMAGE_BGR, error) &&
+        pipeline_create(&pipeline, width, height, error) &&
+        draw_cells(&drawing, &image, panels, view->columns, view->rows, view->zoom, error) &&
+        figure_save(&image, directory, name, error);
     image_free(&image);
     pipeline_free(&pipeline);
     return done;
@@ -82,8 +64,10 @@ static bool draw_panels(struct model *model, const struct view *view, const stru
 static bool draw_chalk(struct model *model, const char *directory, struct error *error) {
     static const struct material chalk = {0, 1, 0, 10, {255, 255, 255}};
     const struct view view = {2, 1, {0, 0, 0}, {1, 0.6, -0.1}, 0.9};
-    const struct panel panels[] = {{PANEL_SHADER(full_fragment), chalk},
-                                   {PANEL_SHADER(weight_map_fragment), textured_material}};
+    PANEL_SHADER(before, full_fragment);
+    PANEL_SHADER(now, weight_map_fragment);
+    const struct cell panels[] = {{&before, chalk, NULL, NULL},
+                                  {&now, textured_material, NULL, NULL}};
     return draw_panels(model, &view, panels, directory, "chalk", error);
 }
 
@@ -94,10 +78,9 @@ static const struct vec3 shoulder = {0.35, -0.45, 0.1};
 static bool draw_near(struct model *model, const char *directory, struct error *error) {
     static const int powers[] = {1, 3, 5, 10, 20, 80};
     const struct view view = {3, 2, shoulder, {1, 1, 1}, 2};
-    struct panel panels[6];
+    struct cell panels[6];
     for (int i = 0; i < 6; i++) {
-        panels[i] =
-            (struct panel){PANEL_SHADER(plain_fragment), {0, 0, 1, powers[i], {255, 255, 255}}};
+        panels[i] = (struct cell){&plain, {0, 0, 1, powers[i], {255, 255, 255}}, NULL, NULL};
     }
     return draw_panels(model, &view, panels, directory, "powers_near", error);
 }
@@ -125,15 +108,16 @@ static lanes_mask corner_light_fragment(const void *uniforms, const lanes *varyi
 static bool draw_lost_highlight(struct model *model, const char *directory, struct error *error) {
     static const struct material bright = {0, 0, 1, 40, {255, 255, 255}};
     const struct view view = {3, 1, shoulder, {1, 1, 1}, 2};
-    const struct panel panels[] = {
-        {{.varying_count = 1, .vertex = corner_light_vertex, .fragment = corner_light_fragment},
-         bright},
-        {PANEL_SHADER(attempt_5_not_normalized), bright},
-        {PANEL_SHADER(plain_fragment), bright}};
+    static const struct shader at_corners = {
+        .varying_count = 1, .vertex = corner_light_vertex, .fragment = corner_light_fragment};
+    PANEL_SHADER(not_normalized, attempt_5_not_normalized);
+    const struct cell panels[] = {{&at_corners, bright, NULL, NULL},
+                                  {&not_normalized, bright, NULL, NULL},
+                                  {&plain, bright, NULL, NULL}};
     return draw_panels(model, &view, panels, directory, "lost_highlight", error);
 }
 
-/* The frames of the animation, each an image of its own. */
+/* The frames of the animation, one image each. */
 static bool draw_frames(struct model *model, struct image frames[SWING_FRAMES],
                         struct error *error) {
     struct pipeline pipeline = {0};

@@ -4,7 +4,7 @@
  * The light that a pixel sends to the eye is the sum of three parts: ambient (from everywhere),
  * diffuse (scattered by the surface) and specular (mirrored towards the eye, more or less sharply).
  * The normal comes from the mesh or from the normal map, the colour from a constant or the texture.
- * All of it is computed for up to sixteen pixels at once (common/lanes.h).
+ * All of it is computed for several pixels at once (common/lanes.h).
  */
 #include "pipeline_program.h"
 
@@ -160,7 +160,7 @@ static struct lanes3 mesh_normal(const lanes *varyings) {
     END SOLUTION */
 }
 
-/* From the values 0..255 of a normal map, which stand for -1..1. */
+/* From the values 0..255 of a normal map, which mean -1..1. */
 static struct lanes3 normal_from_values(struct lanes3 value) {
     /* BEGIN SOLUTION 10c.1 normals of the map */
     struct lanes3 n = {value.x - 127.5f, value.y - 127.5f, value.z - 127.5f};

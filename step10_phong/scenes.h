@@ -54,7 +54,7 @@ static lanes_mask tangent_power_fragment(const void *uniforms, const lanes *vary
     return tangent_light(u, surface, varyings, color);
 }
 
-/* Without loops of their own, which take long to compile. */
+/* Without their own loops, which take long to compile. */
 #define TANGENT_SHADER(function)                                                                   \
     { .varying_count = 5 + TANGENT_VARYINGS, .vertex = tangent_vertex, .fragment = (function) }
 static const struct shader tangent_mapped = TANGENT_SHADER(tangent_mapped_fragment);
@@ -198,7 +198,7 @@ static bool record_cell(struct drawing *drawing, struct pipeline *pipeline,
         call.model = u.model = cell->model;
     }
     if (cell->shader == &weight_mapped || cell->shader == &power_mapped) {
-        u.normal_level += 1; /* three different levels: who exchanges them sees it */
+        u.normal_level += 1; /* three different levels: exchanged, they show */
         u.specular_level += 2;
     }
     if (cell->specular != NULL) {
@@ -467,7 +467,7 @@ static const struct scene scenes[] = {
         .name = "shadow",
         .extra = true,
         .needs = NEEDS_MODEL | NEEDS_DIFFUSE | NEEDS_NORMAL_MAP,
-        .light = {-1, 1, 1}, /* the head stands between it and a shoulder */
+        .light = {-1, 1, 1}, /* the head is between it and a shoulder */
         .draw = draw_shadow,
     },
     {

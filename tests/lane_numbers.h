@@ -53,6 +53,8 @@ static inline struct shown in_each_lane(lane_function *function, const double *n
     return first;
 }
 
+#define IN_LANES(function, ...) in_each_lane(function, (double[]){__VA_ARGS__})
+
 /* A texture of one row. */
 static inline bool called_make_texture(struct texture *texture, const struct color *row,
                                        size_t width) {

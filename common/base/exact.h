@@ -8,7 +8,7 @@
 
 #include <math.h>
 
-/* Stands for rounded + rest. */
+/* The number is rounded + rest. */
 struct exact {
     double rounded, rest;
 };

@@ -73,7 +73,7 @@ bool word_to_double(struct word word, double *value);
 /* The whole word as a decimal integer; false for anything else or outside 64 bits. */
 bool word_to_integer(struct word word, int64_t *value);
 
-/* ---- For who reads words by the character ---- */
+/* ---- For readers that go character by character ---- */
 
 /* The parts for characters that are rare of the two functions below. */
 bool text_find_rare_word(struct text *text);

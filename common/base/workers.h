@@ -6,7 +6,7 @@
  * yet: the calling thread does the rest. What a loop computes must not depend on which thread does
  * which part.
  *
- * Each worker begins with a share of its own, parts beside each other, the same ones in each loop
+ * Each worker begins with its own share, parts next to each other, the same ones in each loop
  * of as many parts: what it has written or read in one is often still in its cache in the next.
  */
 #ifndef COMMON_WORKERS_H
@@ -17,12 +17,12 @@
 struct workers;
 
 /* Does part `index` of the work. `worker` tells apart those that work at the same time: it is below
- * workers_count(), and 0 is who calls. */
+ * workers_count(), and 0 is the caller. */
 typedef void worker_function(void *context, size_t index, size_t worker);
 
 /* Start threads, so that with the one that calls there are `thread_count`; 0 means one for each
  * processor, or as many as the environment variable THREADS says. Where no thread can be started,
- * as on a machine without threads, all work is done by who calls. NULL, which is valid everywhere
+ * as on a machine without threads, the caller does all the work. NULL, which is valid everywhere
  * here, when memory runs out or one thread is enough. */
 struct workers *workers_create(size_t thread_count);
 

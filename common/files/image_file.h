@@ -15,7 +15,7 @@
 /* ---- Reading ---- */
 
 /* Read a PNG or a TGA: a PNG begins with its signature, a TGA has none; the file's name does not
- * count. What is read of each stands in png.h and tgaimage.h. `image` is overwritten, not freed;
+ * count. png.h and tgaimage.h say what is read of each. `image` is overwritten, not freed;
  * empty on an error. */
 bool image_read(struct image *image, const char *path, struct error *error);
 

@@ -1,5 +1,5 @@
 /*
- * Models read from OBJ and OFF files, and the textures that lie beside them.
+ * Models read from OBJ and OFF files, and the textures next to them.
  *
  * OBJ: v (x y z, x y z w: w is not used, x y z r g b and what follows), vt (u, u v, u v w: w is not
  * used), vn, f, mtllib, usemtl and, where asked for, l; all other keywords are passed over. A face
@@ -25,16 +25,16 @@
  * OFF). On an error `model` is empty and the message names the file and the line. */
 bool model_read(struct model *model, const char *path, struct error *error);
 
-/* What a file may hold beside positions and faces. */
+/* What a file may hold besides positions and faces. */
 enum model_part {
-    MODEL_UVS = 1, /* and what materials say: all that pictures on faces need */
+    MODEL_UVS = 1, /* and what materials say: everything that pictures on faces need */
     MODEL_NORMALS = 2,
     MODEL_LINES = 4, /* a model may then consist of lines alone, with no face */
     MODEL_ALL_PARTS = MODEL_UVS | MODEL_NORMALS /* of faces */
 };
 
-/* The same, but only the parts that are asked for, joined with |. Of an OBJ file, texture
- * coordinates and normals that are not are counted and not read, and no corner has them. */
+/* The same, but only the wanted parts, joined with |. Unwanted texture coordinates and normals of
+ * an OBJ file are counted but not read, and no corner has them. */
 bool model_read_parts(struct model *model, const char *path, unsigned parts, struct error *error);
 
 /* What the warning says. */
@@ -45,7 +45,7 @@ const char *model_warning_text(enum model_warning warning);
 bool model_decode(struct model *model, const void *data, size_t size, struct error *error);
 
 /* The file of a texture, and whether it is there: the one that was chosen for this model, or the
- * first usual name under which there is one beside it, or the first of all. The caller frees it;
+ * first usual name under which there is one next to it, or the first of all. The caller frees it;
  * NULL when memory runs out. The model was read from a file. */
 char *model_find_texture(const struct model *model, enum model_texture_kind kind, bool *found);
 
@@ -53,7 +53,7 @@ char *model_find_texture(const struct model *model, enum model_texture_kind kind
 size_t model_textures_present(const struct model *model);
 
 /* Does a file of materials say how the model looks? Colours alone count less than a texture that
- * lies beside the model. */
+ * is next to the model. */
 bool model_has_materials(const struct model *model);
 
 /* A texture of a picture's file. The caller frees it. */

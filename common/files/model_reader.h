@@ -23,7 +23,7 @@ struct reader_colors {
     size_t count, capacity;
 };
 
-/* A model being read. All zero but for `model` and `error` at first. */
+/* A model being read. At first everything but `model` and `error` is zero. */
 struct model_reader {
     struct text text;
     size_t line; /* where the current statement began, for messages */

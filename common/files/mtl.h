@@ -2,7 +2,7 @@
  * Files of materials that OBJ files name, for model_file.c (Wavefront Technologies, "Advanced
  * Visualizer Manual", appendix B2 "Materials"). What is read: newmtl, Kd, map_Kd with -clamp, -s
  * and -o, Ks, Ns, map_Ks or map_Ns, norm or else map_Bump or bump, and d where it is 0: such faces
- * are not drawn. All else is passed over, and so is what cannot be read: what is transparent in
+ * are not drawn. Everything else is skipped, also what cannot be read: what is transparent in
  * part is opaque, and Tr, which some write as 1 - d and others as d, does not count.
  */
 #ifndef COMMON_MTL_H

@@ -2,8 +2,8 @@
  * OFF files, for model_file.c ("OFF Files" in the Geomview manual, Geometry Center, University of
  * Minnesota). What is read of them: see model_file.h.
  *
- * The number of edges may stand in the line of the numbers before it, in a line that follows, or
- * nowhere; colours may stand behind positions though the first word does not say so: where it is in
+ * The number of edges may be in the line of the numbers before it, in the next line, or
+ * nowhere; colours may follow positions even if the first word does not say so: where it is in
  * doubt, the file is read in the way in which all of it fits. A face ends with its line, since
  * numbers behind its corners are a colour: so of a file that is all one line, only one face can be
  * read, and more are refused.

@@ -19,7 +19,7 @@ bool png_has_signature(const void *data, size_t size);
 
 /* Read grey and palette (BGR) of 1, 2, 4 or 8 bits, grey+alpha (becomes BGRA), RGB and RGBA;
  * channels of 16 bits are rounded to 8; a tRNS chunk gives BGRA; a palette index without a colour
- * is black. Of an animation, the first frame. Every length and Huffman code is checked, and the
+ * is black. An animation gives its first frame. Every length and Huffman code is checked, and the
  * checksum of every chunk that a picture needs; memory stays within what the file's size can decode
  * to: from 16 million pixels on, one for each byte. `image` is overwritten, not freed; empty on an
  * error. */

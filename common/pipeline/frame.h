@@ -150,7 +150,7 @@ struct frame {
     size_t order_count, order_capacity;
     bool reordered;           /* the nearest first */
     struct index_range round; /* of the order, what comes in this round */
-    bool kept;                /* there are several: each band has a visibility of its own */
+    bool kept;                /* there are several: each band has its own visibility */
     /* Transformed: positions, and the sides of the view that they are beyond. */
     struct screen_position *positions;
     double *recip_w; /* 1/w; 0 where they have no place */
@@ -190,7 +190,7 @@ static inline size_t chunk_columns(const struct frame *frame) {
     return (frame->pipeline->width + CHUNK - 1) / CHUNK;
 }
 
-/* Where a pixel of a band is in memory: chunk above chunk, and column of chunks beside column. So
+/* Where a pixel of a band is in memory: chunk above chunk, and column of chunks next to column. So
  * what lies above is near, and as many rows as are wanted are read in turn. */
 static inline size_t place_in_band(int row, int x) {
     return ((size_t)x / CHUNK * BAND_HEIGHT + (size_t)row) * CHUNK + (size_t)x % CHUNK;
@@ -226,7 +226,7 @@ static inline struct span rows_of(const struct rectangle *viewport) {
     return (struct span){viewport->y, viewport->y + viewport->height};
 }
 
-/* Is all that is in a place behind what is shown in every tile that it reaches? Rows are counted
+/* Is everything in a place behind what is shown in every tile that it reaches? Rows are counted
  * from the lowest one of the first of these bands. */
 static inline bool is_behind(const struct visibility *bands, const struct screen_place *place) {
     for (int y = place->rows.begin / TILE_HEIGHT; y * TILE_HEIGHT < place->rows.end; y++) {
@@ -282,7 +282,7 @@ struct polygon pipeline_clip_face(const struct recorded_call *call, size_t face)
 
 /* ---- What becomes of a face: classify.c ---- */
 
-/* Of a face, or of a part of a clipped one. */
+/* What a face is, or a part of a clipped one. */
 enum triangle_kind {
     TRIANGLE_OUTSIDE,       /* beyond one side of the view */
     TRIANGLE_TURNED_AWAY,   /* culled */

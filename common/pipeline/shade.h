@@ -337,7 +337,7 @@ KERNEL void shade_pixels(const struct call_band *band, const struct shader *shad
 }
 
 /* The pixels of the draw call in LANES columns of the band. All are gathered, and prepared, before
- * the first is shaded: a processor foresees badly how many pieces there are, and would begin anew
+ * the first is shaded: a processor foresees badly how many pieces there are, and would begin again
  * with texels that are on their way. (Colours wait for nothing: at once, in 0.94 of the time of a
  * frame.) Returns how many pixels there were in each column. */
 KERNEL lanes_int shade_columns(const struct call_band *band, const struct shader *shader, int x) {
@@ -368,7 +368,7 @@ KERNEL lanes_int shade_columns(const struct call_band *band, const struct shader
 }
 
 /* Each visible pixel of the draw call once, in columns: what lies above a chunk is mostly of the
- * same pieces, and its texels lie beside those just fetched. SHADER() compiles this for a
+ * same pieces, and its texels are next to those just fetched. SHADER() compiles this for a
  * shader. */
 KERNEL void shade_visible(const struct call_band *band, const struct shader *shader) {
     lanes_int shaded = {0};

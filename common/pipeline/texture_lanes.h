@@ -47,7 +47,7 @@ LANES_INLINE struct texel_place texture_find(const struct texture_level *level, 
 }
 
 /* Ask the memory for texels some rows above these, and for the next above those: the pixels above
- * will need them, or what lies beside them, and find it in the cache. (Beyond the texture nothing
+ * will need them, or their neighbours, and find it in the cache. (Beyond the texture nothing
  * happens.) */
 LANES_INLINE void texture_expect(const struct texture_level *level, const uint32_t *texels,
                                  lanes_texel bytes) {

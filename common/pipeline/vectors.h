@@ -8,7 +8,7 @@
  *     doubles_mask                     of TOGETHER doubles: for which a comparison holds
  *
  * x86 has instructions for some of this that gcc 12 and clang 14 do not find by themselves. Here,
- * and for lanes_max() and lanes_min(), the compiler is told which one is meant ("Intel 64 and
+ * and for lanes_max() and lanes_min(), they tell the compiler which one is meant ("Intel 64 and
  * IA-32 Architectures Software Developer's Manual", volume 2); the plain C next to it says what it
  * does.
  */
@@ -99,7 +99,7 @@ LANES_INLINE int lanes_pair_place(int lane) {
 }
 
 /* The texel that lies so many bytes behind the first one, and the texel behind it, for each lane:
- * both are read at once. These pairs stand in such places that of each four lanes two lie in one
+ * both are read at once. These pairs are at such places that of each four lanes two lie in one
  * half, and two in the other: then one instruction, vshufps, takes all of them apart. */
 LANES_INLINE void lanes_fetch_pairs(const uint32_t *texels, lanes_texel bytes, lanes_texel *first,
                                     lanes_texel *second) {

@@ -6,7 +6,7 @@
  *
  *     frame WIDTH HEIGHT MILLISECONDS COUNT
  *     NAME VALUE                                 COUNT lines: counters, as --stats prints them,
- *      TEXT                                      and behind a blank, what --probe is told
+ *      TEXT                                      and behind a blank, what --probe gets
  *     then WIDTH * HEIGHT pixels of four bytes: red, green, blue, 255, row by row from the top
  *
  * or a line `error MESSAGE`. Before the first request one line of JSON says which scenes there are,

@@ -1,7 +1,7 @@
 /*
  * The options of the command line; private to program.c.
  *
- * They stand in one table in options.c: a name, what it wants, a line of help, a function that
+ * options.c has them in one table: a name, what it wants, a line of help, a function that
  * reads it. To add an option: a row there and a field here.
  */
 #ifndef COMMON_OPTIONS_H
@@ -31,7 +31,7 @@ struct options {
     struct size_option size;
     const struct image_file_format *format;
     struct vec3_option eye, center, up, light;
-    const char *textures[MODEL_TEXTURE_KINDS]; /* files; NULL for those beside the model */
+    const char *textures[MODEL_TEXTURE_KINDS]; /* files; NULL for those next to the model */
     struct chosen_value set[VALUE_LIMIT];
     size_t set_count;
     int turns[3];  /* quarter turns */

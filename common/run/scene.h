@@ -22,11 +22,11 @@ enum need {
     NEEDS_MODEL = 1,
     NEEDS_NORMALS = 2, /* at every corner: computed where the file has none */
     NEEDS_COLORS = 4,  /* at every position: made from the normals where the file has none */
-    NEEDS_DIFFUSE = 8, /* textures beside the model; what is missing is replaced */
+    NEEDS_DIFFUSE = 8, /* textures next to the model; what is missing is replaced */
     NEEDS_NORMAL_MAP = 16,
     NEEDS_SPECULAR = 32,
     NEEDS_DEPTH = 64, /* a depth buffer */
-    NEEDS_LINES = 128 /* those beside the faces, and a model of lines alone will do */
+    NEEDS_LINES = 128 /* lines besides the faces, and a model of lines alone will do */
 };
 
 /* A number of a scene that --set changes, within its range. A list of them ends with one that has
@@ -59,7 +59,7 @@ struct drawing_part {
 
 /* What a draw function works with. It reads all of it and may change `depth` and `state`. */
 struct drawing {
-    const struct model *model;        /* NULL where the scene needs none, as all that follows */
+    const struct model *model;        /* NULL where the scene needs none, as everything below */
     const struct texture *diffuse;    /* one white texel where there is none */
     const struct texture *normal_map; /* NULL where there is none: draw by the mesh's normals */
     const struct texture *specular;   /* one texel where there is none */
@@ -103,7 +103,7 @@ double drawing_value(const struct drawing *drawing, const char *name);
 /* The same of NAME_x and NAME_y. */
 struct vec2 drawing_point(const struct drawing *drawing, const char *name);
 
-/* Where a field is zero, the program's default stands. */
+/* Where a field is zero, the program's default holds. */
 struct scene {
     const char *name;     /* of the scene and of its image file */
     unsigned needs;       /* of enum need, joined with | */

@@ -1,5 +1,5 @@
 /*
- * A scene on its stage: all that it needs is loaded, and it can be drawn again and again.
+ * A scene on its stage: everything it needs is loaded, and it can be drawn again and again.
  *
  * Private to program.c and to the tests that draw scenes without a command line.
  */
@@ -25,7 +25,7 @@ struct chosen_value {
 struct run {
     const struct program *program;
     const char *input;             /* a model instead of the course's own; NULL: none */
-    const struct text_scene *text; /* NULL but for a text scene */
+    const struct text_scene *text; /* NULL unless it is a text scene */
     bool no_skip, stats, probed;
     struct pixel probe;                /* where `probed` */
     int turns[3];                      /* quarter turns of models: see fit.h */
@@ -33,7 +33,7 @@ struct run {
     bool two_sided;                    /* draw faces from both sides */
     const struct chosen_value *chosen; /* numbers of scenes, by --set */
     size_t chosen_count;
-    const char *texture_files[MODEL_TEXTURE_KINDS]; /* for the model; NULL: those beside it */
+    const char *texture_files[MODEL_TEXTURE_KINDS]; /* for the model; NULL: those next to it */
     unsigned needs; /* of all scenes that will be drawn, so that a model is read once; 0: unknown */
 
     struct model model;          /* loaded when the first scene needs it */

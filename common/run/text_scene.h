@@ -7,7 +7,7 @@
  *     line 10 10 90 50 0 255 0  0 0 255         ... and the colour of the second end
  *     triangle 10 70 50 160 70 80 255 0 0       x0 y0 x1 y1 x2 y2  r g b
  *
- * `size` (1..16384 each) stands at most once and before anything that is drawn. A scene of lines
+ * `size` (1..16384 each) comes at most once, before anything that is drawn. A scene of lines
  * has whole-number coordinates; a scene of triangles may have fractions, and takes one colour or
  * three. Coordinates lie in -1,000,000..1,000,000, colours are whole numbers 0..255.
  */

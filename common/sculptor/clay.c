@@ -33,7 +33,7 @@ double noise(struct vec3 p, uint32_t seed) {
            1;
 }
 
-/* The slope at an inner knot: the weighted harmonic mean of the slopes beside it, 0 at a peak. */
+/* The slope at an inner knot: the weighted harmonic mean of its neighbours', 0 at a peak. */
 static double knot_slope(const double (*knots)[2], int count, int i) {
     if (i == 0 || i == count - 1) {
         int a = i == 0 ? 0 : count - 2;

@@ -32,7 +32,7 @@ double head_eye_opening(struct vec3 p) {
 double head_lips(struct vec3 p, double *along) {
     double s = p.x / 0.122;
     *along = s;
-    /* The line between the lips dips beside the middle and at the corners. */
+    /* The line between the lips dips next to the middle and at the corners. */
     double line =
         0.004 - 0.004 * ridge((s - 0.45) / 0.5) - 0.006 * square(s) + 0.003 * ridge(s / 0.3);
     double fade = s < 1 ? 1 - s * s : 0;
@@ -77,7 +77,7 @@ static double face(struct vec3 p) {
     d = join(d, ellipsoid(p, at(0.19, 0.37, 0.08), at(0.118, 0.20, 0.20)), 0.08);
     /* The floor of the mouth, under the chin. */
     d = join(d, rod(p, at(0, -0.125, 0.30), at(0, -0.165, 0.06), 0.085, 0.105), 0.08);
-    /* Beside the nose. */
+    /* Next to the nose. */
     d = join(d, ellipsoid(p, at(0.105, 0.19, 0.325), at(0.085, 0.125, 0.095)), 0.08);
     /* The teeth push the mouth forward. */
     return join(d, ellipsoid(p, at(0, 0.035, 0.325), at(0.150, 0.140, 0.150)), 0.08);
@@ -97,7 +97,7 @@ static double neck_and_chest(struct vec3 p) {
 /* ---- The parts ---- */
 
 static double add_brow_and_cheek(double d, struct vec3 p) {
-    /* The ridge above the eye, the bone beside and below it. */
+    /* The ridge above the eye, the bone next to and below it. */
     d = join(d, rod(p, at(0.045, 0.435, 0.385), at(0.175, 0.462, 0.352), 0.042, 0.038), 0.06);
     d = join(d, rod(p, at(0.175, 0.462, 0.352), at(0.240, 0.400, 0.262), 0.038, 0.032), 0.06);
     d = join(d, rod(p, at(0.240, 0.400, 0.262), at(0.242, 0.255, 0.240), 0.032, 0.034), 0.07);
@@ -123,7 +123,7 @@ static double add_eye(double d, struct vec3 p) {
     d += 0.003 * ridge(fold / 0.016) * (1 - s * s);
     /* Lids have thick, rounded rims. */
     d -= 0.005 * ridge((opening + 0.007) / 0.010);
-    /* Between the lids the eyeball shows, or the bottom of the slit beside it. */
+    /* Between the lids the eyeball shows, or the bottom of the slit next to it. */
     double bottom = join(d + 0.012, ball(p, center, EYE_RADIUS), 0.004);
     /* As in marble, the pupil is drilled, so that it looks at us unpainted. */
     bottom += 0.016 * fall(0.010, 0.019, head_from_sight(p));

@@ -100,7 +100,7 @@ static void add_grid_triangle(struct mesh *mesh, const struct surface *surface,
     }
     for (int k = 0; k < 3; k++) {
         if (surface_is_pole(surface, triangle->corner[k])) {
-            /* A pole has no u of its own: it takes the middle of its partners'. */
+            /* A pole has no u: it takes the middle of its partners'. */
             const double *a = mesh->uvs[made[(k + 1) % 3].uv], *b = mesh->uvs[made[(k + 2) % 3].uv];
             made[k].uv = mesh_add_uv(mesh, (a[0] + b[0]) / 2, triangle->corner[k] == 0 ? 0 : 1);
         }

@@ -2,7 +2,7 @@
  * Quadric edge collapse on the grid of a surface: see simplify.h.
  *
  * All the grid's triangles are the start. Again and again the cheapest edge is collapsed: one of
- * its ends moves onto the other one, and the two triangles beside the edge vanish. A vertex
+ * its ends moves onto the other one, and the two triangles at the edge vanish. A vertex
  * remembers, as a quadric form, the planes of all triangles that were merged into it; the price of
  * a collapse is the sum of squared distances to these planes, weighted by area and by how closely
  * people look at that part of the body. So flat parts become large triangles and the eyelids stay

@@ -1,11 +1,11 @@
 /*
  * How the solid becomes a surface: see surface.h.
  *
- * A stick stands inside the bust, from the base to the crown. From points along the stick rays go
+ * A stick is inside the bust, from the base to the crown. From points along the stick rays go
  * out all around; each ray ends where it leaves the clay. Low rays look up at the shoulders and at
  * the neck, those of the jaw look down, those of the skull fan out to the zenith: so each part is
  * seen from inside as squarely as possible and the rays never cross. The number of the ray is the
- * texture coordinate. Rays stand closest where the face is.
+ * texture coordinate. Rays are closest where the face is.
  */
 #include "sculptor/surface.h"
 
@@ -91,7 +91,7 @@ static void close_base(struct surface *surface) {
     }
 }
 
-/* The point at a column that may lie one beyond the half: there its mirror image stands. */
+/* The point at a column that may lie one beyond the half: there is its mirror image. */
 static struct vec3 mirrored(const struct surface *surface, int column, int row) {
     double side = 1;
     if (column < 0) {

@@ -66,26 +66,23 @@ static bool is_wanted(const struct bench_lesson *lesson, const struct options *o
     return options->step_count == 0;
 }
 
-static bool save_chart(const struct bench_lesson *lesson, const struct bench_results *results,
-                       const char *directory, struct error *error) {
+static bool save(const struct bytes *bytes, const char *directory, const char *name,
+                 struct error *error) {
     char path[1024];
-    struct bytes svg = {0};
-    if (snprintf(path, sizeof path, "%s/bench/%s.svg", directory, lesson->step) >=
-        (int)sizeof path) {
+    if (snprintf(path, sizeof path, "%s/%s", directory, name) >= (int)sizeof path) {
         return error_set(error, "%s: the name is too long", directory);
     }
-    bool done =
-        chart_draw(lesson, results, &svg, error) && file_write(path, svg.data, svg.size, error);
-    bytes_free(&svg);
-    return done;
+    return file_write(path, bytes->data, bytes->size, error);
 }
 
-static bool save_json(const struct bytes *json, const char *directory, struct error *error) {
-    char path[1024];
-    if (snprintf(path, sizeof path, "%s/bench.json", directory) >= (int)sizeof path) {
-        return error_set(error, "%s: the name is too long", directory);
-    }
-    return file_write(path, json->data, json->size, error);
+static bool save_chart(const struct bench_lesson *lesson, const struct bench_results *results,
+                       const char *directory, struct error *error) {
+    char name[128];
+    struct bytes svg = {0};
+    snprintf(name, sizeof name, "bench/%s.svg", lesson->step);
+    bool done = chart_draw(lesson, results, &svg, error) && save(&svg, directory, name, error);
+    bytes_free(&svg);
+    return done;
 }
 
 /* Beside a wrong picture each time would look right. */
@@ -93,12 +90,15 @@ static bool check_errors(const struct bench_lesson *lesson, const struct bench_r
                          struct error *error) {
     for (size_t p = 0; p < lesson->panel_count; p++) {
         const struct bench_panel *panel = &lesson->panels[p];
-        for (size_t i = 0; panel->house_within > 0 && i < panel->version_count; i++) {
-            double found = results->of[p][i].error;
-            if (panel->versions[i].is_house && !(found <= panel->house_within)) {
+        for (size_t i = 0; i < panel->version_count; i++) {
+            const struct bench_version *version = &panel->versions[i];
+            double found = results->of[p][i].error, within = DBL_MAX;
+            if (version->is_house && panel->house_within > 0) {
+                within = panel->house_within;
+            }
+            if (!(found <= within)) {
                 return error_set(error, "%s: \"%s\" has an error of %g, and may have %g",
-                                 lesson->title, panel->versions[i].name, found,
-                                 panel->house_within);
+                                 lesson->title, version->name, found, within);
             }
         }
     }
@@ -106,30 +106,32 @@ static bool check_errors(const struct bench_lesson *lesson, const struct bench_r
 }
 
 static bool measure_lessons(const struct options *options, struct error *error) {
-    struct bytes json = {0};
-    int done = 0;
-    bool well = report_begin(&json, options->seconds, error);
-    for (size_t i = 0; well && bench_lessons[i] != NULL; i++) {
+    struct bytes text = {0};
+    struct output json = {&text, error, true};
+    int count = 0;
+    report_begin(&json, options->seconds);
+    for (size_t i = 0; json.done && bench_lessons[i] != NULL; i++) {
         const struct bench_lesson *lesson = bench_lessons[i];
         struct bench_results results = {0};
         if (!is_wanted(lesson, options)) {
             continue;
         }
-        well = bench_measure(lesson, options->seconds, &results, error) &&
-               report_lesson(&json, lesson, &results, done++ == 0, error) &&
-               save_chart(lesson, &results, options->directory, error);
-        if (well) {
+        json.done = bench_measure(lesson, options->seconds, &results, error) &&
+                    check_errors(lesson, &results, error) &&
+                    save_chart(lesson, &results, options->directory, error);
+        if (json.done) {
+            report_lesson(&json, lesson, &results, count++ == 0);
             report_print(lesson, &results);
-            well = check_errors(lesson, &results, error);
         }
     }
-    if (well && done == 0) {
-        well =
+    if (json.done && count == 0) {
+        json.done =
             error_set(error, "no tests/lessons/stepNN_name/bench.c measures a step of that name");
     }
-    well = well && report_end(&json, error) && save_json(&json, options->directory, error);
-    bytes_free(&json);
-    return well;
+    report_end(&json);
+    bool done = json.done && save(&text, options->directory, "bench.json", error);
+    bytes_free(&text);
+    return done;
 }
 
 int main(int argc, char **argv) {

@@ -33,7 +33,6 @@ struct bench_version {
     const char *name; /* at most 26 characters, so that labels find room in the chart */
     int choice;       /* which version it is: added to the panel's `base` */
     bool is_house;    /* the lesson's good version, the one in main.c: its name is set in bold */
-    void (*run)(void *state, int choice); /* in place of the panel's, where that is not NULL */
 };
 
 #define VERSION(label, number)                                                                     \
@@ -55,9 +54,9 @@ struct bench_panel {
      * is called many times over; each call must do the same, so what it uses up it first makes
      * again. */
     void (*run)(void *state, int choice);
-    /* The error of a version in the panel's error unit: 0 only when it is exact, infinite or not
-     * a number when it has no meaning. Called once, right after the last timed `run` of this
-     * version: judge what that left in the state. (It may do more work of its own.) */
+    /* The error of a version in the panel's error unit: 0 only when it is exact, never infinite: a
+     * version without an answer is a fault of the benchmark. Called once, right after the last
+     * timed `run` of this version: judge what that left in the state. (It may do more work.) */
     double (*error)(void *state, int choice);
     /* Units of work that one run does: seconds of a run / units * 1e9 is shown in nanoseconds.
      * NULL: milliseconds of one run are shown. The same number for all versions; gets `base`. */
@@ -71,14 +70,20 @@ struct bench_panel {
      * version. The same pointer for all of a series, BENCH_SERIES_LIMIT series at most; NULL for a
      * version without. */
     const char *(*series)(int choice);
-    /* A third number, for who prints it: asked for after `error`. */
-    double (*size)(const void *state, int choice);
     /* The most that the error of a house version is if it is right, and what it is measured
      * against, too: beyond it the benchmark fails. BENCH_EXACT allows none; 0: nobody asks. */
     double house_within;
 };
 
 #define BENCH_EXACT DBL_TRUE_MIN
+
+/* A compiler inlines a small function where few call it. Here many versions do, and none of them
+ * shall have less of it than main.c has alone. */
+#if defined(__GNUC__)
+#define INLINED static inline __attribute__((always_inline))
+#else
+#define INLINED static inline
+#endif
 
 /* Set versions and version_count of a panel. */
 #define BENCH_VERSIONS(list) .versions = (list), .version_count = sizeof(list) / sizeof(list)[0]
@@ -96,6 +101,13 @@ struct bench_lesson {
     const struct bench_panel *panels;
     size_t panel_count; /* 1..BENCH_PANEL_LIMIT */
 };
+
+/* Of the panels in the array `rows`. */
+#define BENCH_LESSON(directory, heading, state, set_up, tear_down, rows)                           \
+    {                                                                                              \
+        .step = (directory), .title = (heading), .state_size = sizeof(state), .setup = (set_up),   \
+        .teardown = (tear_down), .panels = (rows), .panel_count = sizeof(rows) / sizeof(rows)[0],  \
+    }
 
 /* All of them in order, then NULL. The Makefile writes this list from the names of the files; that
  * of stepNN.c is called bench_stepNN. */

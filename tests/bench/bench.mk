@@ -3,10 +3,9 @@
 ##   make bench                  run time against error, a chart for each lesson (STEP=05 for one)
 ##   make charts                 put these charts into the lessons
 ##   make bench-frame            the time of a frame beside Mesa's llvmpipe (OPTIONS=--help)
-##   make bench-files            how fast files are read and written, beside libpng and plain bytes
-##   make bench-run              where the time of a whole run goes, beside cat and cp of its files
+##   make bench-files            how fast files are read and written, beside plain bytes
 ##   make counts                 the instructions of each scene, beside those committed (STEP=05)
-.PHONY: bench charts bench-frame bench-files bench-run counts
+.PHONY: bench charts bench-frame bench-files counts
 
 # Stress and benchmarks share out their cases with OpenMP, where the compiler has it.
 OPENMP := $(shell $(CC) -fopenmp -E -x c /dev/null >/dev/null 2>&1 && echo -fopenmp)
@@ -48,7 +47,7 @@ charts:
 	        echo "$$step: no chart yet; make bench draws it"; \
 	    fi; done
 
-# ---- Frames, files, whole runs ----
+# ---- Frames, files, instructions ----
 
 # With Mesa's renderer beside ours where it is installed. Whether it is there is asked when it
 # matters.
@@ -72,19 +71,12 @@ $(BUILD)/bench-frame: $(filter-out $(NOT_LINKED),$(call OBJECTS_OF,bench/frame o
                       $(BUILD)/tests/check/arguments.o $(BUILD)/libcommon.a $(BUILD)/with-mesa
 	$(Q)$(LINK) $(filter-out %-mesa,$^) $(if $(HAS_MESA),-lEGL -lGL) -lm -o $@
 
-# Beside libpng where it is installed.
-LIBPNG = $(shell echo '\#include <libpng16/png.h>' | $(CC) -E - >/dev/null 2>&1 && echo -lpng16)
 bench-files: $(BUILD)/bench-files all
 	$(Q)$(BUILD)/bench-files
 
 $(BUILD)/bench-files: $(call OBJECTS_OF,bench/files) $(BUILD)/tests/bench/measure.o \
-                      $(BUILD)/tests/bench/report.o $(BUILD)/tests/check/compare.o \
                       $(BUILD)/libcommon.a
-	$(Q)$(LINK) $^ $(LIBPNG) -lm -o $@
-
-# A whole run, beside the same bytes only read and copied.
-bench-run: all
-	@bash tests/bench/whole_run.sh $(BUILD)
+	$(Q)$(LINK) $^ -lm -o $@
 
 # Instructions, which no other process disturbs.
 counts:

@@ -11,14 +11,14 @@
 
 enum {
     CHART_WIDTH = 820,
-    HEAD_HEIGHT = 44,   /* the lesson's title */
+    HEAD_HEIGHT = 44,   /* the lesson's title and the key */
     PANEL_HEIGHT = 460, /* a panel with its title and axes */
-    FOOT_HEIGHT = 54,
+    FOOT_HEIGHT = 37,
     PLOT_LEFT = 76,
     PLOT_RIGHT = 800,
-    PLOT_TOP = 44,     /* below the panel's top */
-    PLOT_BOTTOM = 380, /* also below the panel's top */
-    PLACE_WIDTH = 200, /* of the places beside the scale, for errors of 0 and for infinite ones */
+    PLOT_TOP = 44,            /* below the panel's top */
+    PLOT_BOTTOM = 380,        /* also below the panel's top */
+    PLACE_WIDTH = 200,        /* of the place beside the scale, for errors of 0 */
     PLACE_WIDTH_SERIES = 110, /* the same where labels are short */
     TICK_LIMIT = 64,
     LABEL_HEIGHT = 15,
@@ -181,8 +181,8 @@ struct chart_line {
 
 struct plot {
     struct axis error, time;
-    double exact_x, none_x; /* the places for an error of 0 and for one that is not finite */
-    bool has_scale, has_exact, has_none;
+    double exact_x; /* the place for an error of 0 */
+    bool has_scale, has_exact;
     bool exact_apart; /* 0 is not on the scale, but in a place of its own at the left */
     double place_width;
     double top, bottom;
@@ -201,8 +201,7 @@ static void plot_axes(struct plot *plot, const struct bench_result *results) {
     for (size_t i = 0; i < plot->count; i++) {
         double error = results[i].error;
         plot->has_exact = plot->has_exact || error == 0;
-        plot->has_none = plot->has_none || !isfinite(error);
-        if (isfinite(error) && error > 0) {
+        if (error > 0) {
             plot->has_scale = true;
             least = fmin(least, error);
             most = fmax(most, error);
@@ -210,65 +209,42 @@ static void plot_axes(struct plot *plot, const struct bench_result *results) {
         fastest = fmin(fastest, results[i].lower);
         slowest = fmax(slowest, results[i].upper);
     }
-    double left = PLOT_LEFT, right = PLOT_RIGHT;
     plot->place_width = plot->series_count > 0 ? PLACE_WIDTH_SERIES : PLACE_WIDTH;
     if (plot->has_scale) {
-        plot->error = make_axis(least, most, 4, left, right);
+        plot->error = make_axis(least, most, 4, PLOT_LEFT + 24, PLOT_RIGHT - 24);
         /* A scale from 0 has a place for 0 on it; a logarithmic one has none. */
         plot->exact_apart = plot->has_exact && plot->error.logarithmic;
-        left += plot->exact_apart ? plot->place_width : 0;
-        right -= plot->has_none ? plot->place_width : 0;
-        plot->error.from_px = left + 24;
-        plot->error.to_px = right - 24;
-        plot->exact_x = plot->exact_apart ? PLOT_LEFT + 24 : plot->error.from_px;
-        plot->none_x = PLOT_RIGHT - plot->place_width + 24;
+        plot->error.from_px += plot->exact_apart ? plot->place_width : 0;
+        plot->exact_x = PLOT_LEFT + 24;
     } else {
         plot->exact_x = PLOT_LEFT + (PLOT_RIGHT - PLOT_LEFT) / 3.0;
-        plot->none_x = PLOT_RIGHT - plot->place_width;
     }
     plot->time = make_axis(fastest, slowest, 10, plot->bottom, plot->top);
 }
 
-/* The series of a panel in the order in which they first appear. */
-static void plot_series(struct plot *plot, const struct bench_panel *panel) {
-    for (size_t i = 0; i < plot->count; i++) {
-        const char *name = report_series(panel, i);
-        int k = 0;
-        while (k < plot->series_count && plot->series[k] != name) {
-            k++;
-        }
-        if (name != NULL && k == plot->series_count) {
-            assert(plot->series_count < BENCH_SERIES_LIMIT);
-            plot->series[plot->series_count++] = name;
-        }
+/* The place of a version's series among those that have appeared so far; -1 for none. */
+static int series_place(struct plot *plot, const char *name) {
+    int k = 0;
+    while (k < plot->series_count && plot->series[k] != name) {
+        k++;
     }
-}
-
-static int series_place(const struct plot *plot, const char *name) {
-    for (int k = 0; k < plot->series_count; k++) {
-        if (plot->series[k] == name) {
-            return k;
-        }
+    if (name != NULL && k == plot->series_count) {
+        assert(plot->series_count < BENCH_SERIES_LIMIT);
+        plot->series[plot->series_count++] = name;
     }
-    return -1;
+    return name != NULL ? k : -1;
 }
 
 static void plot_marks(struct plot *plot, const struct bench_panel *panel,
                        const struct bench_result *results) {
     for (size_t i = 0; i < plot->count; i++) {
         const struct bench_result *r = &results[i];
-        double x = plot->exact_x;
-        if (!isfinite(r->error)) {
-            x = plot->none_x;
-        } else if (r->error > 0) {
-            x = axis_px(&plot->error, r->error);
-        }
         plot->marks[i] = (struct mark){
             .version = &panel->versions[i],
             .result = r,
-            .series = series_place(plot, report_series(panel, i)),
+            .series = plot->marks[i].series,
             .anchor = "",
-            .x = x,
+            .x = r->error > 0 ? axis_px(&plot->error, r->error) : plot->exact_x,
             .y = axis_px(&plot->time, r->median),
             .y_upper = axis_px(&plot->time, r->upper),
             .y_lower = axis_px(&plot->time, r->lower),
@@ -515,12 +491,6 @@ static void draw_error_axis(struct output *output, const struct plot *plot) {
     if (plot->exact_apart) {
         draw_break(output, plot, PLOT_LEFT + plot->place_width);
     }
-    if (plot->has_none) {
-        put_text(output, "middle", plot->none_x, plot->bottom + 16, "no answer");
-    }
-    if (plot->has_none && plot->has_scale) {
-        draw_break(output, plot, PLOT_RIGHT - plot->place_width);
-    }
 }
 
 static void draw_time_axis(struct output *output, const struct plot *plot) {
@@ -650,12 +620,11 @@ static void draw_captions(struct output *output, const struct bench_panel *panel
     put_text(output, "label", 20, top + 33, text);
     snprintf(text, sizeof text, "error: %s, against %s", panel->error_label, panel->against);
     put_text(output, "label middle", middle, plot->bottom + 35, text);
-    snprintf(text, sizeof text, "%s%s%s",
+    snprintf(text, sizeof text, "%s%s",
              !plot->has_scale          ? ""
              : plot->error.logarithmic ? "logarithmic scale"
                                        : "linear scale from 0",
-             plot->exact_apart ? "; 0 stands apart, left of the break" : "",
-             plot->has_none && plot->has_scale ? "; no answer: right of the break" : "");
+             plot->exact_apart ? "; 0 is left of the break" : "");
     put_text(output, "tick middle", middle, plot->bottom + 52, text);
 }
 
@@ -666,7 +635,9 @@ static void draw_panel(struct output *output, const struct bench_panel *panel,
         .top = top + PLOT_TOP,
         .bottom = top + PLOT_BOTTOM,
     };
-    plot_series(&plot, panel);
+    for (size_t i = 0; i < plot.count; i++) {
+        plot.marks[i].series = series_place(&plot, report_series(panel, i));
+    }
     plot_axes(&plot, results);
     plot_marks(&plot, panel, results);
     plot_front(&plot);
@@ -705,14 +676,13 @@ bool chart_draw(const struct bench_lesson *lesson, const struct bench_results *r
                height);
     snprintf(text, sizeof text, "%s: run time against error", lesson->title);
     put_text(&output, "head", 20, 28, text);
+    put_text(&output, "foot", 20, 46,
+             "Filled dots, dashed stair: nothing is both faster and more accurate. Bold: the "
+             "lesson's own. Bars: from quartile to quartile.");
     for (size_t i = 0; i < lesson->panel_count; i++) {
         draw_panel(&output, &lesson->panels[i], results->of[i],
                    HEAD_HEIGHT + (double)i * PANEL_HEIGHT + 8);
     }
-    put_text(&output, "foot", 20, height - 30,
-             "Filled dots, dashed stair: no other version is as good in both and better in one. "
-             "Bold: the "
-             "lesson's own. Dots: medians; bars: quartiles.");
     report_processor(processor);
     snprintf(text, sizeof text, "%s%s%s", report_compiler(), processor[0] != '\0' ? ", " : "",
              processor);

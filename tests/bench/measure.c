@@ -21,11 +21,9 @@ int bench_choice(const struct bench_panel *panel, size_t i) {
 
 /* Seconds of one call. */
 static double time_calls(const struct bench_panel *panel, size_t i, void *state, size_t calls) {
-    const struct bench_version *version = &panel->versions[i];
-    void (*run)(void *, int) = version->run != NULL ? version->run : panel->run;
     struct stopwatch start = stopwatch_start();
     for (size_t k = 0; k < calls; k++) {
-        run(state, bench_choice(panel, i));
+        panel->run(state, bench_choice(panel, i));
     }
     return stopwatch_seconds(start) / (double)calls;
 }
@@ -68,7 +66,7 @@ static bool is_better(const struct bench_result *a, const struct bench_result *b
 
 static void mark_front(struct bench_result *results, size_t count) {
     for (size_t i = 0; i < count; i++) {
-        results[i].front = isfinite(results[i].error);
+        results[i].front = true;
         for (size_t j = 0; j < count; j++) {
             results[i].front = results[i].front && !is_better(&results[j], &results[i]);
         }
@@ -101,7 +99,6 @@ static void measure_panel(const struct bench_panel *panel, void *state, double s
         /* The last sample is judged before the next version overwrites it. */
         samples[i][rounds] = time_calls(panel, i, state, results[i].calls);
         results[i].error = panel->error(state, bench_choice(panel, i));
-        results[i].size = panel->size != NULL ? panel->size(state, bench_choice(panel, i)) : 0;
         results[i].rounds = rounds + 1;
         summarize(&results[i], samples[i], scale);
     }
@@ -134,10 +131,6 @@ bool bench_measure(const struct bench_lesson *lesson, double seconds, struct ben
 }
 
 void bench_show_number(double value, char text[32]) {
-    if (!isfinite(value)) {
-        snprintf(text, 32, "none");
-        return;
-    }
     double size = fabs(value);
     if (size != 0 && (size < 1e-3 || size >= 1e6)) {
         snprintf(text, 32, "%.2e", value);

@@ -9,7 +9,6 @@
 
 struct bench_result {
     double error;         /* in the panel's unit; 0 is exact */
-    double size;          /* the panel's third number; 0 where it has none */
     double median;        /* time in the panel's unit */
     double lower, upper;  /* quartiles */
     size_t rounds, calls; /* samples taken, and runs in each of them */

@@ -1,7 +1,6 @@
 /* Tables and JSON: see report.h. */
 #include "report.h"
 
-#include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
@@ -48,28 +47,17 @@ void report_print(const struct bench_lesson *lesson, const struct bench_results 
 
 /* ---- Text that grows ---- */
 
-static bool append(struct bytes *text, struct error *error, const char *format, va_list arguments) {
-    char piece[1024];
-    int length = vsnprintf(piece, sizeof piece, format, arguments);
-    if (length < 0 || length >= (int)sizeof piece) {
-        return error_set(error, "a line of the report is too long");
-    }
-    return bytes_append(text, piece, (size_t)length) || error_out_of_memory(error);
-}
-
-bool report_append(struct bytes *text, struct error *error, const char *format, ...) {
-    va_list arguments;
-    va_start(arguments, format);
-    bool done = append(text, error, format, arguments);
-    va_end(arguments);
-    return done;
-}
-
 void report_put(struct output *output, const char *format, ...) {
+    char piece[1024];
     va_list arguments;
     va_start(arguments, format);
-    output->done = output->done && append(output->text, output->error, format, arguments);
+    int length = vsnprintf(piece, sizeof piece, format, arguments);
     va_end(arguments);
+    if (output->done && (length < 0 || length >= (int)sizeof piece)) {
+        output->done = error_set(output->error, "a line of the report is too long");
+    }
+    output->done = output->done && (bytes_append(output->text, piece, (size_t)length) ||
+                                    error_out_of_memory(output->error));
 }
 
 /* ---- JSON ---- */
@@ -92,13 +80,8 @@ static void put_string(struct output *json, const char *name, const char *value)
     report_put(json, "\", ");
 }
 
-/* "name": value; JSON has no infinity, so null stands for what is not finite. */
 static void put_number(struct output *json, const char *name, double value) {
-    if (isfinite(value)) {
-        report_put(json, "\"%s\": %.9g, ", name, value);
-    } else {
-        report_put(json, "\"%s\": null, ", name);
-    }
+    report_put(json, "\"%s\": %.9g, ", name, value);
 }
 
 static void put_version(struct output *json, const struct bench_panel *panel, size_t i,
@@ -128,35 +111,31 @@ static void put_panel(struct output *json, const struct bench_panel *panel,
     report_put(json, "\n      ]}");
 }
 
-bool report_begin(struct bytes *text, double seconds, struct error *error) {
-    struct output json = {text, error, true};
+void report_begin(struct output *json, double seconds) {
     char processor[128];
     report_processor(processor);
-    report_put(&json, "{\n  ");
-    put_string(&json, "compiler", report_compiler());
-    put_string(&json, "processor", processor);
-    put_number(&json, "seconds_a_lesson", seconds);
-    report_put(&json, "\n  \"lessons\": [");
-    return json.done;
+    report_put(json, "{\n  ");
+    put_string(json, "compiler", report_compiler());
+    put_string(json, "processor", processor);
+    put_number(json, "seconds_a_lesson", seconds);
+    report_put(json, "\n  \"lessons\": [");
 }
 
-bool report_lesson(struct bytes *text, const struct bench_lesson *lesson,
-                   const struct bench_results *results, bool first, struct error *error) {
-    struct output json = {text, error, true};
-    report_put(&json, "%s\n    {", first ? "" : ",");
-    put_string(&json, "step", lesson->step);
-    put_string(&json, "title", lesson->title);
-    report_put(&json, "\"panels\": [\n");
+void report_lesson(struct output *json, const struct bench_lesson *lesson,
+                   const struct bench_results *results, bool first) {
+    report_put(json, "%s\n    {", first ? "" : ",");
+    put_string(json, "step", lesson->step);
+    put_string(json, "title", lesson->title);
+    report_put(json, "\"panels\": [\n");
     for (size_t i = 0; i < lesson->panel_count; i++) {
-        put_panel(&json, &lesson->panels[i], results->of[i]);
-        report_put(&json, i + 1 < lesson->panel_count ? ",\n" : "\n");
+        put_panel(json, &lesson->panels[i], results->of[i]);
+        report_put(json, i + 1 < lesson->panel_count ? ",\n" : "\n");
     }
-    report_put(&json, "    ]}");
-    return json.done;
+    report_put(json, "    ]}");
 }
 
-bool report_end(struct bytes *text, struct error *error) {
-    return report_append(text, error, "\n  ]\n}\n");
+void report_end(struct output *json) {
+    report_put(json, "\n  ]\n}\n");
 }
 
 /* ---- The machine ---- */

@@ -1,4 +1,4 @@
-/* Time and its statistics, for all that is measured. Needs clock_gettime() of POSIX. */
+/* Time and its statistics, for everything that is measured. Needs clock_gettime() of POSIX. */
 #ifndef TESTS_TIMING_H
 #define TESTS_TIMING_H
 

@@ -44,14 +44,6 @@ static bool line_contains(const char *line, const char *part) {
     return found != NULL && found < line + strcspn(line, "\n");
 }
 
-/* Where the line begins in which `at` points; `text` is where the first one does. */
-static const char *line_start(const char *text, const char *at) {
-    while (at > text && at[-1] != '\n') {
-        at--;
-    }
-    return at;
-}
-
 /* The compiler's warning about the function that the linker does not find: it says in which line
  * it is called, and what its name may have been meant to be. NULL when there is none. */
 static const char *find_undeclared(const char *output) {
@@ -74,16 +66,16 @@ static struct message_line first_error(const char *output) {
                                         "***"};
     const char *undeclared = find_undeclared(output);
     if (undeclared != NULL) {
-        return drawn_message(line_start(output, undeclared));
+        return drawn_message(message_line_start(output, undeclared));
     }
     for (size_t i = 0; i < sizeof marks / sizeof marks[0]; i++) {
         const char *mark = output;
         while ((mark = strstr(mark, marks[i])) != NULL) {
-            const char *line = line_start(output, mark);
+            const char *line = message_line_start(output, mark);
             /* A linker's own "error:" only says that it has failed. So does make's "***" of a
              * command; why, stands before it. */
             if (line_contains(line, "] Error ") && line > output) {
-                return drawn_message(line_start(output, line - 1));
+                return drawn_message(message_line_start(output, line - 1));
             }
             if (!line_contains(line, "collect2:") && !line_contains(line, "linker command")) {
                 return drawn_message(line);
@@ -163,7 +155,7 @@ static bool lacked_room(const struct options *options, const char *output, struc
     return words != NULL &&
            (!run_has_room(run_temporary(), COMPILER_ROOM, &reason) ||
             !run_has_room(options->programs, COMPILER_ROOM, &reason)) &&
-           !error_set(error, "%s", drawn_message(line_start(output, words)).text);
+           !error_set(error, "%s", drawn_message(message_line_start(output, words)).text);
 }
 
 /* Remove what there is of a step's program where make must build it again: when the compiler had
@@ -208,7 +200,7 @@ static void find_warnings(struct build_result *result) {
             continue;
         }
         if (result->warning.text[0] == '\0') {
-            result->warning = drawn_message(line_start(output, at));
+            result->warning = drawn_message(message_line_start(output, at));
         } else {
             result->more_warnings++;
         }

@@ -26,7 +26,7 @@ struct build_result {
     struct message_line reason;  /* why it could not be; or empty */
     struct message_line warning; /* the first line in which the compiler warns; or empty */
     size_t more_warnings;
-    struct bytes messages; /* all that make and the compiler said */
+    struct bytes messages; /* everything make and the compiler said */
 };
 
 /* Build the step's program. Only when the program that is there is, byte for byte, what make has

@@ -86,8 +86,7 @@ static bool check_steps(const struct options *options, const struct scene_table 
 static bool export_all(const struct options *options, const struct check_result *result) {
     const struct {
         const char *path;
-        bool (*write)(struct bytes *report, const struct check_result *result,
-                      const char *references, struct error *error);
+        export_function *write;
     } exports[] = {
         {options->junit, export_junit}, {options->json, export_json}, {options->tap, export_tap},
         {options->html, export_html},   {options->csv, export_csv},
@@ -97,7 +96,7 @@ static bool export_all(const struct options *options, const struct check_result 
         struct bytes report = {.data = NULL};
         struct error error;
         if (exports[i].path[0] != '\0' &&
-            !(exports[i].write(&report, result, options->references, &error) &&
+            !(exports[i].write(&report, result, &error) &&
               file_write(exports[i].path, report.data, report.size, &error))) {
             fprintf(stderr, "check: %s\n", error.message);
             done = false;
@@ -127,6 +126,7 @@ static int check(const struct options *options, const struct scene_table *table)
         fprintf(stderr, "check: %s\n", error.message);
     }
     result.note = options->note;
+    result.references = options->references;
     done = (run_caught_signal() != 0 || export_all(options, &result)) && done;
     /* A person at a terminal is not told of failure while something is only to do. */
     bool unfinished = options->person && report_is_unfinished(&result);

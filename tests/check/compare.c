@@ -5,37 +5,21 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { PANEL_GAP = 8 }; /* grey pixels between two panels */
-
 enum mark { MARK_EQUAL = 0, MARK_NEAR = 1, MARK_APART = 2, MARK_COVERAGE = 4, MARK_WRONG = 8 };
-enum { SHIFT_LIMIT = 2, SHIFT_BETTER = 8 }; /* pixels; so many times fewer are apart */
 
-struct rgb {
-    uint8_t r, g, b;
-};
-
-static inline struct rgb pixel_at(const struct image *image, size_t x, size_t y) {
+static inline struct color pixel_at(const struct image *image, size_t x, size_t y) {
     const uint8_t *p = image->pixels + (y * image->width + x) * (size_t)image->format;
-    return image->format == IMAGE_GREY ? (struct rgb){p[0], p[0], p[0]}
-                                       : (struct rgb){p[2], p[1], p[0]};
+    return image->format == IMAGE_GREY ? color_grey(p[0]) : color_rgb(p[2], p[1], p[0]);
 }
 
-static inline bool is_background(struct rgb c) {
-    return c.r == 0 && c.g == 0 && c.b == 0;
-}
-
-static inline bool is_close(uint8_t a, uint8_t b) {
-    return (a > b ? a - b : b - a) <= COMPARE_LEVELS;
-}
-
-static inline bool agree(struct rgb a, struct rgb b) {
-    return is_close(a.r, b.r) && is_close(a.g, b.g) && is_close(a.b, b.b);
+static inline bool agree(struct color a, struct color b) {
+    return color_distance(a, b) <= COMPARE_LEVELS;
 }
 
 /* ---- The rule ---- */
 
 /* Does a pixel of the 3x3 around (x,y) agree with the colour? */
-static bool is_around(const struct image *image, size_t x, size_t y, struct rgb color) {
+static bool is_around(const struct image *image, size_t x, size_t y, struct color color) {
     for (size_t j = y > 0 ? y - 1 : 0; j <= y + 1 && j < image->height; j++) {
         for (size_t i = x > 0 ? x - 1 : 0; i <= x + 1 && i < image->width; i++) {
             if (agree(pixel_at(image, i, j), color)) {
@@ -49,8 +33,8 @@ static bool is_around(const struct image *image, size_t x, size_t y, struct rgb 
 /* The marks of a pixel; all but MARK_EQUAL have MARK_NEAR. */
 static unsigned mark_pixel(const struct image *reference, const struct image *yours, size_t x,
                            size_t y) {
-    struct rgb wanted = pixel_at(reference, x, y), got = pixel_at(yours, x, y);
-    if (wanted.r == got.r && wanted.g == got.g && wanted.b == got.b) {
+    struct color wanted = pixel_at(reference, x, y), got = pixel_at(yours, x, y);
+    if (color_distance(wanted, got) == 0) {
         return MARK_EQUAL;
     }
     if (agree(wanted, got)) {
@@ -58,7 +42,7 @@ static unsigned mark_pixel(const struct image *reference, const struct image *yo
     }
     bool is_matched = is_around(yours, x, y, wanted) && is_around(reference, x, y, got);
     return MARK_NEAR | MARK_APART | (is_matched ? 0 : MARK_WRONG) |
-           (is_background(wanted) != is_background(got) ? MARK_COVERAGE : 0);
+           (color_is_black(wanted) != color_is_black(got) ? MARK_COVERAGE : 0);
 }
 
 static void add(struct tally *tally, bool counts, size_t x, size_t y) {
@@ -70,9 +54,9 @@ static void add(struct tally *tally, bool counts, size_t x, size_t y) {
 
 static void add_pixel(struct comparison *result, const struct image *reference,
                       const struct image *yours, size_t x, size_t y) {
-    struct rgb wanted = pixel_at(reference, x, y), got = pixel_at(yours, x, y);
+    struct color wanted = pixel_at(reference, x, y), got = pixel_at(yours, x, y);
     unsigned marks = mark_pixel(reference, yours, x, y);
-    result->drawn += !is_background(wanted) || !is_background(got);
+    result->drawn += !color_is_black(wanted) || !color_is_black(got);
     add(&result->differing, marks != MARK_EQUAL, x, y);
     add(&result->apart, (marks & MARK_APART) != 0, x, y);
     add(&result->near, marks == MARK_NEAR, x, y);
@@ -93,7 +77,7 @@ static bool is_same_row(const struct image *a, const struct image *b, size_t y) 
 static size_t count_drawn(const struct image *image, size_t y) {
     size_t drawn = 0;
     for (size_t x = 0; x < image->width; x++) {
-        drawn += !is_background(pixel_at(image, x, y));
+        drawn += !color_is_black(pixel_at(image, x, y));
     }
     return drawn;
 }
@@ -148,46 +132,12 @@ struct share_text share_show(uint64_t count, uint64_t drawn, unsigned limit) {
     return share;
 }
 
-/* ---- Moved pictures ---- */
-
-/* How many pixels are apart when yours is moved back by (right, up)? What is moved out of the
- * picture, and what has come in, does not count. No more than `most` are counted. */
-static uint64_t count_apart(const struct image *reference, const struct image *yours, int right,
-                            int up, uint64_t most) {
-    uint64_t count = 0;
-    int width = (int)reference->width, height = (int)reference->height;
-    for (int y = up < 0 ? -up : 0; y < height && y + up < height && count < most; y++) {
-        for (int x = right < 0 ? -right : 0; x < width && x + right < width; x++) {
-            count += !agree(pixel_at(reference, (size_t)x, (size_t)y),
-                            pixel_at(yours, (size_t)(x + right), (size_t)(y + up)));
-        }
-    }
-    return count;
-}
-
-struct shift compare_shift(const struct image *reference, const struct image *yours) {
-    struct shift best = {0, 0};
-    uint64_t apart = count_apart(reference, yours, 0, 0, UINT64_MAX);
-    uint64_t least = apart / SHIFT_BETTER + 1;
-    if (apart == 0 || image_is_blank(yours)) {
-        return best;
-    }
-    for (int y = -SHIFT_LIMIT; y <= SHIFT_LIMIT; y++) {
-        for (int x = -SHIFT_LIMIT; x <= SHIFT_LIMIT; x++) {
-            uint64_t count = count_apart(reference, yours, x, y, least);
-            if (count < least && (x != 0 || y != 0)) {
-                least = count;
-                best = (struct shift){x, y};
-            }
-        }
-    }
-    return best;
-}
+/* ---- The picture of a difference ---- */
 
 bool image_is_blank(const struct image *image) {
     for (size_t y = 0; y < image->height; y++) {
         for (size_t x = 0; x < image->width; x++) {
-            if (!is_background(pixel_at(image, x, y))) {
+            if (!color_is_black(pixel_at(image, x, y))) {
                 return false;
             }
         }
@@ -195,7 +145,7 @@ bool image_is_blank(const struct image *image) {
     return true;
 }
 
-static void put(struct image *picture, size_t x, size_t y, struct rgb color) {
+static void put(struct image *picture, size_t x, size_t y, struct color color) {
     uint8_t *p = picture->pixels + (y * picture->width + x) * 3;
     p[0] = color.b;
     p[1] = color.g;
@@ -213,25 +163,16 @@ static unsigned marks_of(enum compare_pixels wrong) {
     return marks[wrong];
 }
 
-static struct rgb mark_color(unsigned marks, enum compare_pixels wrong, struct rgb reference,
-                             struct rgb yours) {
+static struct color mark_color(unsigned marks, enum compare_pixels wrong, struct color reference,
+                               struct color yours) {
     if (marks & marks_of(wrong)) {
-        struct rgb red = {.r = 255}, blue = {.b = 255}; /* missing: blue */
-        return is_background(yours) ? blue : red;
+        return color_is_black(yours) ? color_rgb(0, 0, 255)
+                                     : color_rgb(255, 0, 0); /* blue: missing */
     }
     if (marks != MARK_EQUAL) {
-        return (struct rgb){.g = 96};
+        return color_rgb(0, 96, 0);
     }
-    return (struct rgb){reference.r / 4, reference.g / 4, reference.b / 4};
-}
-
-/* Lay the part of `panel` that has room there on the picture, from column x on. */
-static void put_panel(struct image *picture, const struct image *panel, size_t x) {
-    for (size_t y = 0; y < picture->height && y < panel->height; y++) {
-        for (size_t i = 0; x + i < picture->width && i < panel->width; i++) {
-            put(picture, x + i, y, pixel_at(panel, i, y));
-        }
-    }
+    return color_rgb(reference.r / 4, reference.g / 4, reference.b / 4);
 }
 
 /* `cut` becomes the part of `image` that a picture of that size shows, with background around. */
@@ -240,7 +181,11 @@ static bool cut_to_size(struct image *cut, const struct image *image, size_t wid
     if (!image_create(cut, width, height, IMAGE_BGR, error)) {
         return false;
     }
-    put_panel(cut, image, 0);
+    for (size_t y = 0; y < height && y < image->height; y++) {
+        for (size_t x = 0; x < width && x < image->width; x++) {
+            put(cut, x, y, pixel_at(image, x, y));
+        }
+    }
     return true;
 }
 
@@ -263,23 +208,4 @@ bool compare_difference(struct image *difference, const struct image *reference,
     }
     image_free(&cut);
     return true;
-}
-
-bool compare_picture(struct image *picture, const struct image *reference,
-                     const struct image *yours, enum compare_pixels wrong, struct error *error) {
-    size_t width = reference->width, height = reference->height;
-    struct image cut = {.pixels = NULL}, difference = {.pixels = NULL};
-    *picture = (struct image){.pixels = NULL};
-    bool done = cut_to_size(&cut, yours, width, height, error) &&
-                compare_difference(&difference, reference, yours, wrong, error) &&
-                image_create(picture, 3 * width + 2 * PANEL_GAP, height, IMAGE_BGR, error);
-    if (done) {
-        image_clear(picture, color_grey(128));
-        put_panel(picture, reference, 0);
-        put_panel(picture, &cut, width + PANEL_GAP);
-        put_panel(picture, &difference, 2 * (width + PANEL_GAP));
-    }
-    image_free(&cut);
-    image_free(&difference);
-    return done;
 }

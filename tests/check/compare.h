@@ -10,10 +10,10 @@
  * Why not count the pixels that differ: a correct renderer with another fill rule moves edges by
  * one pixel all over the picture, while a missing depth buffer shows in few places, at the mouth
  * and the ears. By a plain count the wrong program comes out better. A moved edge has its colour
- * next to it; a wrong triangle has not. What is apart is counted too, and has a limit of its own,
- * because otherwise a picture that is shifted by one pixel would be right. And so is what is drawn
- * in one picture only: holes between triangles are thin, and few beside the moved edges inside of a
- * model. And pixels that are near but not equal: other arithmetic gives a few of them, but where
+ * next to it; a wrong triangle has not. What is apart is counted too, and has its own limit,
+ * because otherwise a picture that is shifted by one pixel would be right. So is what is drawn in
+ * one picture only: holes between triangles are thin, and few compared with the moved edges inside
+ * a model. And pixels that are near but not equal: other arithmetic gives a few of them, but where
  * values are cut off and not rounded half of them and more are one too small.
  *
  * Last, a whole picture may be a few levels too light or too dark, and every colour in it agree. So
@@ -32,11 +32,24 @@
 
 #include <stdbool.h>
 #include <stdint.h>
+#include <stdlib.h>
 
 enum {
     COMPARE_LEVELS = 4,    /* channels of colours that agree differ by this at most */
     COMPARE_LIGHTER = 1250 /* and by this on average: thousandths of a level */
 };
+
+/* How far two colours are apart: the largest difference of a channel, alpha not looked at. */
+static inline int color_distance(struct color a, struct color b) {
+    int red = abs(a.r - b.r), green = abs(a.g - b.g), blue = abs(a.b - b.b);
+    int most = red > green ? red : green;
+    return most > blue ? most : blue;
+}
+
+/* Is it (0,0,0)? */
+static inline bool color_is_black(struct color color) {
+    return color.r == 0 && color.g == 0 && color.b == 0;
+}
 
 /* Some pixels of a picture: how many, and the first of them, by rows from the bottom. */
 struct tally {
@@ -76,13 +89,6 @@ struct share_text {
 };
 struct share_text share_show(uint64_t count, uint64_t drawn, unsigned limit);
 
-/* How far yours is moved to the right and up, when that explains what is apart: moved back, at most
- * an eighth of it is left. Otherwise, and for moves by more than two pixels, (0,0). */
-struct shift {
-    int x, y;
-};
-struct shift compare_shift(const struct image *reference, const struct image *yours);
-
 /* The pixels that count as wrong in a picture: those that its broken limit is about. */
 enum compare_pixels {
     COMPARE_UNMATCHED, /* `wrong` of a comparison */
@@ -100,10 +106,5 @@ bool image_is_blank(const struct image *image);
  * and cut, and an empty image shows as background. The caller frees `difference`. */
 bool compare_difference(struct image *difference, const struct image *reference,
                         const struct image *yours, enum compare_pixels wrong, struct error *error);
-
-/* Make a picture of three panels: reference, yours, difference. Each has the reference's size. The
- * caller frees `picture`. */
-bool compare_picture(struct image *picture, const struct image *reference,
-                     const struct image *yours, enum compare_pixels wrong, struct error *error);
 
 #endif

@@ -40,14 +40,13 @@ static bool add_counter(struct counted *counted, const char *line, size_t length
     if (name == 0 || digits == 0 || name + 2 + digits != length || length > room) {
         return false;
     }
-    counted->tells |= line[name + 2] != '0';
     int written = snprintf(counted->text + used, room, "%s%.*s=%.*s",
                            counted->text[used - 1] == ':' ? "" : ",", (int)name, line, (int)digits,
                            line + name + 2);
     return (size_t)written < room;
 }
 
-/* Add all that is counted in the scene, "-" for nothing. False where it cannot be told. */
+/* Add all that is counted in the scene. False where that is nothing, or cannot be told. */
 static bool add_counters(struct counted *counted, const char *output, const char *scene) {
     const size_t prefix = strlen(scene);
     for (size_t length; *output != '\0'; output += length + (output[length] == '\n')) {
@@ -57,11 +56,7 @@ static bool add_counters(struct counted *counted, const char *output, const char
             return false;
         }
     }
-    size_t used = strlen(counted->text);
-    if (counted->text[used - 1] == ':' && used + 1 < sizeof counted->text) {
-        strcat(counted->text, "-");
-    }
-    return true;
+    return counted->text[strlen(counted->text) - 1] != ':';
 }
 
 bool counted_of(struct counted *counted, const struct step_result *result,
@@ -70,59 +65,29 @@ bool counted_of(struct counted *counted, const struct step_result *result,
     char pictures[PICTURE_LIMIT];
     bool is_counter = item->counter[0] != '\0';
     list_pictures(pictures, sizeof pictures, result);
-    if (strchr(pictures, 'x') != NULL || (is_counter && strpbrk(pictures, "bd") != NULL)) {
-        return false;
-    }
-    counted->tells = false;
-    snprintf(counted->text, sizeof counted->text, "%s:%s:", item->scene,
-             is_counter ? "-" : pictures);
-    if (!add_counters(counted, output, item->scene)) {
-        return false;
-    }
-    counted->tells |=
-        is_counter || (strchr(pictures, '?') == NULL && strchr(pictures, 'r') != NULL);
-    return !is_counter || strchr(counted->text, '=') != NULL;
-}
-
-bool counted_tells(const struct counted *yours, size_t count) {
-    bool tells = false;
-    for (size_t i = 0; i < count; i++) {
-        tells |= yours[i].tells;
-    }
-    return tells;
+    snprintf(counted->text, sizeof counted->text, "%s:%s:%s", item->scene,
+             is_counter ? "-" : pictures, is_counter ? "" : "-");
+    return strpbrk(pictures, is_counter ? "xbd" : "x?") == NULL &&
+           (!is_counter || add_counters(counted, output, item->scene));
 }
 
 /* ---- Comparing ---- */
 
-/* Is it this sign, except for what is to do? */
-static bool is_sign(const char *sign, const char *yours) {
-    size_t i = 0;
-    while (yours[i] != '\0' && sign[i] != '\0' && (yours[i] == sign[i] || yours[i] == '?')) {
-        i++;
-    }
-    return yours[i] == '\0' && (sign[i] == '\0' || sign[i] == ';');
-}
-
 static bool shows(const struct mistake *mistake, const char *yours) {
-    const char *sign = mistake->signs;
-    while (sign != NULL && !is_sign(sign, yours)) {
+    const size_t length = strlen(yours);
+    const char *sign = strcmp(mistake->words, MISTAKE_STARTER) != 0 ? mistake->signs : NULL;
+    while (sign != NULL &&
+           (strncmp(sign, yours, length) != 0 || (sign[length] != '\0' && sign[length] != ';'))) {
         sign = mistake_next_sign(sign);
     }
     return sign != NULL;
 }
 
-struct mistake_set counted_find(const struct mistake_list *mistakes, const struct counted *yours,
-                                size_t count) {
-    const struct mistake_set none = {.count = 0};
-    struct mistake_set set = none;
+struct mistake_set counted_find(const struct mistake_list *mistakes, const struct counted *yours) {
+    struct mistake_set set = {.count = 0};
     for (size_t k = 0; k < mistakes->count; k++) {
-        const struct mistake *mistake = &mistakes->list[k];
-        bool shows_all = true;
-        for (size_t i = 0; i < count; i++) {
-            shows_all &= shows(mistake, yours[i].text);
-        }
-        if (shows_all && !mistake_set_add(&set, mistake)) {
-            return none;
+        if (shows(&mistakes->list[k], yours->text) && !mistake_set_add(&set, &mistakes->list[k])) {
+            return (struct mistake_set){.count = 0};
         }
     }
     return set;

@@ -24,8 +24,7 @@ static bool is_wrong_otherwise(const struct item_result *item, const struct look
     return look->row > 0 ? !scene->explains[look->row] : look->apart == 0 && is_apart;
 }
 
-enum mistake_doubt doubt_find(const void *context, const struct mistake *mistake) {
-    const struct suspicion *suspicion = context;
+enum mistake_doubt doubt_find(const struct suspicion *suspicion, const struct mistake *mistake) {
     const struct step_result *result = suspicion->result;
     const char *task = mistake->task.text;
     bool is_doubtful = false;

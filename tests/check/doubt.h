@@ -27,7 +27,6 @@ struct suspicion {
     const struct item_result *item;
 };
 
-/* A mistake_doubt_function; `suspicion` is one. */
-enum mistake_doubt doubt_find(const void *suspicion, const struct mistake *mistake);
+enum mistake_doubt doubt_find(const struct suspicion *suspicion, const struct mistake *mistake);
 
 #endif

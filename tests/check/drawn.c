@@ -30,13 +30,8 @@ bool drawn_program(struct drawn_path *path, const char *programs, const char *na
 }
 
 bool drawn_run(const char *programs, const char *step, const char *directory, const char *scene,
-               const struct run_limits *limits, struct run_result *result, struct error *error) {
-    return drawn_run_stats(programs, step, directory, scene, NULL, limits, result, error);
-}
-
-bool drawn_run_stats(const char *programs, const char *step, const char *directory,
-                     const char *scene, const char *output, const struct run_limits *limits,
-                     struct run_result *result, struct error *error) {
+               const char *output, const struct run_limits *limits, struct run_result *result,
+               struct error *error) {
     *result = (struct run_result){.end = RUN_EXITED};
     struct drawn_path path;
     if (!drawn_program(&path, programs, step, error)) {
@@ -134,4 +129,11 @@ struct message_line drawn_message(const char *text) {
         text += length + (text[length] == '\n');
     }
     return line;
+}
+
+const char *message_line_start(const char *text, const char *at) {
+    while (at > text && at[-1] != '\n') {
+        at--;
+    }
+    return at;
 }

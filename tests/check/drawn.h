@@ -24,20 +24,17 @@ bool drawn_program(struct drawn_path *path, const char *programs, const char *na
 
 /* Run `PROGRAM -o DIRECTORY` in the directory, with the limits of an untrusted program. `programs`
  * is the directory of the programs, `step` the program's name; with a scene that is not "" the
- * program is told `--only SCENE` too. The caller frees result->messages, also on an error. */
+ * program is told `--only SCENE`, too, and where `output` is not NULL `--stats`: what it prints
+ * becomes that new file. The caller frees result->messages, also on an error. */
 bool drawn_run(const char *programs, const char *step, const char *directory, const char *scene,
-               const struct run_limits *limits, struct run_result *result, struct error *error);
-
-/* The same with `--stats`: what the program prints becomes the new file `output`. */
-bool drawn_run_stats(const char *programs, const char *step, const char *directory,
-                     const char *scene, const char *output, const struct run_limits *limits,
-                     struct run_result *result, struct error *error);
+               const char *output, const struct run_limits *limits, struct run_result *result,
+               struct error *error);
 
 enum drawn_state { DRAWN_READ, DRAWN_MISSING, DRAWN_UNREADABLE, DRAWN_WRONG_SIZE };
 
 /* Read DIRECTORY/SCENE.tga. With `wanted` not NULL, a picture of another size than that one is
  * DRAWN_WRONG_SIZE: it is read too if it is not huge, otherwise `image` is empty. Without it, any
- * size will do. What is wrong stands in `error`. The caller frees the image. */
+ * size will do. What is wrong is in `error`. The caller frees the image. */
 enum drawn_state drawn_read(struct image *image, const char *directory, const char *scene,
                             const struct image *wanted, struct error *error);
 
@@ -47,5 +44,8 @@ struct message_line {
     char text[208];
 };
 struct message_line drawn_message(const char *text);
+
+/* Where the line begins in which `at` points; `text` is where the first one does. */
+const char *message_line_start(const char *text, const char *at);
 
 #endif

@@ -5,7 +5,6 @@
 
 #include <stdarg.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 /* ---- Text ---- */
@@ -13,17 +12,21 @@
 /* What the writers share: after a failure nothing more is written, and the end tells. */
 struct writer {
     struct bytes *report;
+    escape_function *escape; /* what is written for %s */
     bool failed;
 };
 
 static void put(struct writer *writer, const char *format, ...) PRINTF_LIKE(2, 3);
 
 static void put(struct writer *writer, const char *format, ...) {
-    char text[512]; /* names and numbers have room; texts from a submission go another way */
     va_list arguments;
     va_start(arguments, format);
-    vsnprintf(text, sizeof text, format, arguments);
+    writer->failed =
+        writer->failed || !escape_print(writer->report, writer->escape, format, arguments);
     va_end(arguments);
+}
+
+static void put_plain(struct writer *writer, const char *text) {
     writer->failed = writer->failed || !bytes_append(writer->report, text, strlen(text));
 }
 
@@ -31,36 +34,11 @@ static bool finish(const struct writer *writer, struct error *error) {
     return !writer->failed || error_out_of_memory(error);
 }
 
-static void put_byte(struct writer *writer, char byte) {
-    writer->failed = writer->failed || !bytes_append(writer->report, &byte, 1);
-}
-
-/* Text from a submission, each byte as `escape` writes it. */
-static void put_escaped(struct writer *writer, const char *text,
-                        void escape(struct writer *, char)) {
-    char *printable = printable_lines(text);
-    writer->failed = writer->failed || printable == NULL;
-    for (const char *at = printable; !writer->failed && *at != '\0'; at++) {
-        escape(writer, *at);
-    }
-    free(printable);
-}
-
-/* "depth", or "depth pixels" for a counter: names of the table of scenes, which are plain. */
-static void put_name(struct writer *writer, const struct item_result *item) {
-    put(writer, "%s%s%s", item->scene, item->counter[0] != '\0' ? " " : "", item->counter);
-}
-
 /* ---- Words ---- */
-
-static bool is_error(enum result_state state) {
-    return state == RESULT_TIME || state == RESULT_CRASH || state == RESULT_BUILD ||
-           state == RESULT_ERROR;
-}
 
 /* How many of the step's items count as failures, errors and skipped. */
 struct outcome {
-    size_t failures, errors, skipped;
+    unsigned failures, errors, skipped;
 };
 
 static struct outcome count_outcome(const struct step_result *step) {
@@ -68,7 +46,7 @@ static struct outcome count_outcome(const struct step_result *step) {
     for (size_t i = 0; i < step->item_count; i++) {
         enum result_state state = step->items[i].state;
         outcome.failures += state == RESULT_FAIL;
-        outcome.errors += is_error(state);
+        outcome.errors += state > RESULT_FAIL;
         outcome.skipped += state == RESULT_TODO;
     }
     return outcome;
@@ -84,69 +62,61 @@ static const char *message_of(const struct step_result *step, const struct item_
                                                                        : step->reason.text;
 }
 
-/* ---- JUnit XML ---- */
-
-/* What is between the two: free text. */
-static void put_xml(struct writer *writer, const char *before, const char *text,
-                    const char *after) {
-    put(writer, "%s", before);
-    writer->failed = writer->failed || !escape_markup(writer->report, text);
-    put(writer, "%s", after);
+/* "depth", or "depth pixels" for a counter: what is between the two. */
+static const char *blank_of(const struct item_result *item) {
+    return item->counter[0] != '\0' ? " " : "";
 }
+
+/* ---- JUnit XML ---- */
 
 static void junit_item(struct writer *writer, const struct step_result *step,
                        const struct item_result *item) {
     const char *message = message_of(step, item);
-    put(writer, "    <testcase classname=\"%s\" name=\"", step->name);
-    put_name(writer, item);
-    put(writer, "\">\n");
+    bool remark = item->state == RESULT_PASS && message[0] != '\0';
+    put(writer, "    <testcase classname=\"%s\" name=\"%s%s%s\">\n", step->name, item->scene,
+        blank_of(item), item->counter);
     if (item->state == RESULT_TODO) {
-        put_xml(writer, "      <skipped>", message, "</skipped>\n");
+        put(writer, "      <skipped>%s</skipped>\n", message);
     } else if (item->state != RESULT_PASS) {
-        put(writer, "      <%s type=\"%s\"", item->state == RESULT_FAIL ? "failure" : "error",
-            result_state_name(item->state));
-        put_xml(writer, " message=\"", message, "\"/>\n");
+        put(writer, "      <%s type=\"%s\" message=\"%s\"/>\n",
+            item->state == RESULT_FAIL ? "failure" : "error", result_state_name(item->state),
+            message);
     }
-    put(writer, "      <system-out>points %u/%u", item->points, item->credit->points);
-    if (item->state == RESULT_PASS && message[0] != '\0') {
-        put_xml(writer, "; ", message, "");
-    }
-    put(writer, "</system-out>\n    </testcase>\n");
+    put(writer, "      <system-out>points %u/%u%s%s</system-out>\n    </testcase>\n", item->points,
+        item->credit->points, remark ? "; " : "", remark ? message : "");
 }
 
 static void junit_step(struct writer *writer, const struct check_result *result,
                        const struct step_result *step) {
     struct outcome outcome = count_outcome(step);
     put(writer,
-        "  <testsuite name=\"%s\" tests=\"%zu\" failures=\"%zu\" errors=\"%zu\" skipped=\"%zu\">\n",
-        step->name, step->item_count, outcome.failures, outcome.errors, outcome.skipped);
+        "  <testsuite name=\"%s\" tests=\"%u\" failures=\"%u\" errors=\"%u\" skipped=\"%u\">\n",
+        step->name, (unsigned)step->item_count, outcome.failures, outcome.errors, outcome.skipped);
     for (size_t k = 0; k < step->item_count; k++) {
         junit_item(writer, step, &step->items[k]);
     }
     if (has_note(result)) {
-        put_xml(writer, "    <system-out>", result->note, "</system-out>\n");
+        put(writer, "    <system-out>%s</system-out>\n", result->note);
     }
     if (step->messages.size > 1) {
-        put_xml(writer, "    <system-err>", (const char *)step->messages.data, "</system-err>\n");
+        put(writer, "    <system-err>%s</system-err>\n", (const char *)step->messages.data);
     }
     put(writer, "  </testsuite>\n");
 }
 
-bool export_junit(struct bytes *report, const struct check_result *result, const char *references,
-                  struct error *error) {
-    struct writer writer = {.report = report};
+bool export_junit(struct bytes *report, const struct check_result *result, struct error *error) {
+    struct writer writer = {.report = report, .escape = escape_markup};
     struct outcome all = {0};
-    size_t tests = 0;
-    (void)references;
+    unsigned tests = 0;
     for (size_t i = 0; i < result->step_count; i++) {
         struct outcome outcome = count_outcome(&result->steps[i]);
         all.failures += outcome.failures;
         all.errors += outcome.errors;
-        tests += result->steps[i].item_count;
+        tests += (unsigned)result->steps[i].item_count;
     }
     put(&writer, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
-    put(&writer, "<testsuites name=\"check\" tests=\"%zu\" failures=\"%zu\" errors=\"%zu\">\n",
-        tests, all.failures, all.errors);
+    put(&writer, "<testsuites name=\"check\" tests=\"%u\" failures=\"%u\" errors=\"%u\">\n", tests,
+        all.failures, all.errors);
     for (size_t i = 0; i < result->step_count; i++) {
         junit_step(&writer, result, &result->steps[i]);
     }
@@ -156,33 +126,27 @@ bool export_junit(struct bytes *report, const struct check_result *result, const
 
 /* ---- JSON ---- */
 
-static void escape_json(struct writer *writer, char byte) {
-    if (byte == '"' || byte == '\\') {
-        put_byte(writer, '\\');
-    }
-    if (byte == '\n') {
-        put(writer, "\\n");
-    } else {
-        put_byte(writer, byte);
-    }
-}
-
-/* A member of free text; `before` is its name and what separates it from the one before. */
-static void json_text(struct writer *writer, const char *before, const char *text) {
-    put(writer, "%s: \"", before);
-    put_escaped(writer, text, escape_json);
-    put(writer, "\"");
-}
-
-/* The same, where there is something to say. */
-static void json_message(struct writer *writer, const char *before, const char *text) {
+/* A member of text, where there is something to say; before its name stands what separates it. */
+static void json_text(struct writer *writer, const char *before, const char *name,
+                      const char *text) {
     if (text[0] != '\0') {
-        json_text(writer, before, text);
+        put_plain(writer, before);
+        put(writer, "\"%s\": \"%s\"", name, text);
     }
 }
 
-static double percent(uint64_t count, uint64_t drawn) {
-    return drawn > 0 ? 100.0 * (double)count / (double)drawn : 0.0;
+/* A share of the drawn pixels. */
+static void json_percent(struct writer *writer, const char *name, uint64_t count, uint64_t drawn) {
+    char percent[32];
+    snprintf(percent, sizeof percent, "%.4f",
+             drawn > 0 ? 100.0 * (double)count / (double)drawn : 0.0);
+    put(writer, ", \"%s\": %s", name, percent);
+}
+
+static void json_count(struct writer *writer, const char *name, uint64_t count) {
+    char digits[32];
+    snprintf(digits, sizeof digits, "%llu", (unsigned long long)count);
+    put(writer, ", \"%s\": %s", name, digits);
 }
 
 static void json_picture(struct writer *writer, const struct item_result *item) {
@@ -191,14 +155,13 @@ static void json_picture(struct writer *writer, const struct item_result *item) 
     if (!item->compared || item->exact) {
         return;
     }
-    put(writer, ", \"pixels_drawn\": %llu", (unsigned long long)shares->drawn);
-    put(writer, ", \"wrong_percent\": %.4f", percent(shares->wrong.count, shares->drawn));
-    put(writer, ", \"apart_percent\": %.4f", percent(shares->apart.count, shares->drawn));
-    put(writer, ", \"coverage_percent\": %.4f", percent(shares->coverage.count, shares->drawn));
+    json_count(writer, "pixels_drawn", shares->drawn);
+    json_percent(writer, "wrong_percent", shares->wrong.count, shares->drawn);
+    json_percent(writer, "apart_percent", shares->apart.count, shares->drawn);
+    json_percent(writer, "coverage_percent", shares->coverage.count, shares->drawn);
     if (item->yours.text[0] != '\0') {
-        json_text(writer, ", \"yours\"", item->yours.text);
-        json_text(writer, ", \"reference\"", item->reference.text);
-        json_text(writer, ", \"difference\"", item->difference.text);
+        put(writer, ", \"yours\": \"%s\", \"reference\": \"%s\", \"difference\": \"%s\"",
+            item->yours.text, item->reference.text, item->difference.text);
     }
 }
 
@@ -206,20 +169,23 @@ static void json_item(struct writer *writer, const struct item_result *item) {
     put(writer, "        {\"scene\": \"%s\", \"state\": \"%s\", \"points\": %u, \"most\": %u",
         item->scene, result_state_name(item->state), item->points, item->credit->points);
     for (size_t i = 0; i < item->credit->task_count; i++) {
-        put(writer, "%s\"%s\"", i > 0 ? ", " : ", \"tasks\": [", item->credit->tasks[i].text);
+        put(writer, i > 0 ? ", " : ", \"tasks\": [");
+        put(writer, "\"%s\"", item->credit->tasks[i].text);
     }
     put(writer, "]");
     if (item->counter[0] != '\0') {
-        put(writer, ", \"counter\": \"%s\", \"counted\": %llu, \"enough\": %llu", item->counter,
-            (unsigned long long)item->counted, (unsigned long long)item->most);
+        put(writer, ", \"counter\": \"%s\"", item->counter);
+        json_count(writer, "counted", item->counted);
+        json_count(writer, "enough", item->most);
     } else {
         json_picture(writer, item);
     }
-    json_message(writer, ", \"message\"", item->message.text);
-    json_message(writer, item->only_may_be ? ", \"may_be\"" : ", \"looks_like\"", item->looks.text);
+    json_text(writer, ", ", "message", item->message.text);
+    json_text(writer, ", ", item->only_may_be ? "may_be" : "looks_like", item->looks.text);
+    json_text(writer, ", ", "seen", item->state == RESULT_FAIL ? item->seen.text : "");
     for (size_t i = 0; i < item->looks_figure_count; i++) {
-        put(writer, "%s%u%s", i > 0 ? ", " : ", \"figures\": [", item->looks_figures[i],
-            i + 1 < item->looks_figure_count ? "" : "]");
+        put(writer, i > 0 ? ", " : ", \"figures\": [");
+        put(writer, "%u%s", item->looks_figures[i], i + 1 < item->looks_figure_count ? "" : "]");
     }
     put(writer, "}");
 }
@@ -228,10 +194,9 @@ static void json_step(struct writer *writer, const struct step_result *step) {
     put(writer, "    {\n      \"step\": \"%s\",\n      \"state\": \"%s\"", step->name,
         result_state_name(step->state));
     put(writer, ",\n      \"points\": %u,\n      \"most\": %u", step->points, step->most);
-    json_message(writer, ",\n      \"reason\"", step->reason.text);
-    if (step->messages.size > 1) {
-        json_text(writer, ",\n      \"messages\"", (const char *)step->messages.data);
-    }
+    json_text(writer, ",\n      ", "reason", step->reason.text);
+    json_text(writer, ",\n      ", "messages",
+              step->messages.size > 1 ? (const char *)step->messages.data : "");
     put(writer, ",\n      \"tasks\": [\n");
     for (size_t i = 0; i < step->task_count; i++) {
         const struct task_result *task = &step->tasks[i];
@@ -248,13 +213,12 @@ static void json_step(struct writer *writer, const struct step_result *step) {
     put(writer, "      ]\n    }");
 }
 
-bool export_json(struct bytes *report, const struct check_result *result, const char *references,
-                 struct error *error) {
-    struct writer writer = {.report = report};
-    (void)references;
+bool export_json(struct bytes *report, const struct check_result *result, struct error *error) {
+    struct writer writer = {.report = report, .escape = escape_json};
     put(&writer, "{\n  \"points\": %u,\n  \"most\": %u,\n", result->points, result->most);
-    put(&writer, "  \"passed\": %zu,\n  \"failed\": %zu", result->passed, result->failed);
-    json_message(&writer, ",\n  \"note\"", has_note(result) ? result->note : "");
+    put(&writer, "  \"passed\": %u,\n  \"failed\": %u", (unsigned)result->passed,
+        (unsigned)result->failed);
+    json_text(&writer, ",\n  ", "note", has_note(result) ? result->note : "");
     put(&writer, ",\n  \"steps\": [\n");
     for (size_t i = 0; i < result->step_count; i++) {
         json_step(&writer, &result->steps[i]);
@@ -266,39 +230,27 @@ bool export_json(struct bytes *report, const struct check_result *result, const 
 
 /* ---- TAP ---- */
 
-/* '#' begins a directive. */
-static void escape_tap(struct writer *writer, char byte) {
-    put_byte(writer, (char)(byte == '#' || byte == '\n' ? ' ' : byte));
-}
-
-static void tap_item(struct writer *writer, size_t number, const struct step_result *step,
+static void tap_item(struct writer *writer, unsigned number, const struct step_result *step,
                      const struct item_result *item) {
     const char *message = message_of(step, item);
-    put(writer, "%s %zu - %s ", item->state == RESULT_PASS ? "ok" : "not ok", number, step->name);
-    put_name(writer, item);
+    put(writer, item->state == RESULT_PASS ? "ok" : "not ok");
+    put(writer, " %u - %s %s%s%s", number, step->name, item->scene, blank_of(item), item->counter);
     if (item->state == RESULT_TODO) {
-        put(writer, " # TODO ");
-        put_escaped(writer, message, escape_tap);
+        put(writer, " # TODO %s", message);
     }
-    put(writer, "\n# %s %u/%u%s", result_state_name(item->state), item->points,
-        item->credit->points, message[0] != '\0' ? ": " : "");
-    put_escaped(writer, message, escape_tap);
-    put(writer, "\n");
+    put(writer, "\n# %s %u/%u%s%s\n", result_state_name(item->state), item->points,
+        item->credit->points, message[0] != '\0' ? ": " : "", message);
 }
 
-bool export_tap(struct bytes *report, const struct check_result *result, const char *references,
-                struct error *error) {
-    struct writer writer = {.report = report};
-    size_t number = 0;
-    (void)references;
+bool export_tap(struct bytes *report, const struct check_result *result, struct error *error) {
+    struct writer writer = {.report = report, .escape = escape_tap};
+    unsigned number = 0;
     for (size_t i = 0; i < result->step_count; i++) {
-        number += result->steps[i].item_count;
+        number += (unsigned)result->steps[i].item_count;
     }
-    put(&writer, "TAP version 13\n1..%zu\n", number);
+    put(&writer, "TAP version 13\n1..%u\n", number);
     if (has_note(result)) {
-        put(&writer, "# ");
-        put_escaped(&writer, result->note, escape_tap);
-        put(&writer, "\n");
+        put(&writer, "# %s\n", result->note);
     }
     number = 0;
     for (size_t i = 0; i < result->step_count; i++) {
@@ -312,10 +264,9 @@ bool export_tap(struct bytes *report, const struct check_result *result, const c
 
 /* ---- CSV ---- */
 
-bool export_csv(struct bytes *report, const struct check_result *result, const char *references,
-                struct error *error) {
-    struct writer writer = {.report = report};
-    (void)references;
+/* Its texts are names of the table of scenes, which are plain. */
+bool export_csv(struct bytes *report, const struct check_result *result, struct error *error) {
+    struct writer writer = {.report = report, .escape = escape_tap};
     put(&writer, "step,task,state,points,most\n");
     for (size_t i = 0; i < result->step_count; i++) {
         const struct step_result *step = &result->steps[i];

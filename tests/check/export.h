@@ -10,19 +10,12 @@
 
 #include "result.h"
 
-/* Append the report; false, with a message, when memory runs out or a picture cannot be read.
- * `references` is the directory of the reference images; only HTML looks there. */
-bool export_junit(struct bytes *report, const struct check_result *result, const char *references,
-                  struct error *error);
-bool export_json(struct bytes *report, const struct check_result *result, const char *references,
-                 struct error *error);
-bool export_tap(struct bytes *report, const struct check_result *result, const char *references,
-                struct error *error);
-bool export_html(struct bytes *report, const struct check_result *result, const char *references,
-                 struct error *error);
+/* Append the report; false, with a message, when memory runs out or a picture cannot be read. */
+typedef bool export_function(struct bytes *report, const struct check_result *result,
+                             struct error *error);
+export_function export_junit, export_json, export_tap, export_html;
 
 /* A line a task: step,task,state,points,most; and a first line that says so. */
-bool export_csv(struct bytes *report, const struct check_result *result, const char *references,
-                struct error *error);
+export_function export_csv;
 
 #endif

@@ -1,4 +1,5 @@
 /* A check's result as a page for people: see export.h. */
+#include "check/page/escape.h"
 #include "check/page/page.h"
 #include "check/page/pictures.h"
 #include "export.h"
@@ -8,66 +9,50 @@
 #include <stdlib.h>
 #include <string.h>
 
-static bool put_points(struct bytes *page, unsigned points, unsigned most) {
-    return bytes_print(page, "%u/%u", points, most);
-}
-
-/* "FAIL", in its colour. */
-static bool put_state(struct bytes *page, enum result_state state) {
+/* "FAIL", in its colour, then the points. */
+static bool put_state(struct bytes *page, enum result_state state, const char *between,
+                      unsigned points, unsigned most) {
     const char *name = result_state_name(state);
-    return bytes_print(page, "<b class=%s>%s</b> ", name, name);
+    return markup_print(page, "<b class=%s>%s</b> ", name, name) &&
+           bytes_append(page, between, strlen(between)) &&
+           markup_print(page, "%u/%u", points, most);
 }
 
 /* ---- The table at the top ---- */
 
-/* Below `perhaps` the fault may as well be another task's. */
-static bool put_task(struct bytes *page, const struct task_result *task) {
-    return page_html(page, "<span>") && page_text(page, task->name.text) &&
-           page_html(page, task->perhaps ? " perhaps " : " ") && put_state(page, task->state) &&
-           put_points(page, task->points, task->most) && page_html(page, "</span> ");
-}
-
-/* A step: its name leads to its part of the page. */
+/* A step: its name leads to its part of the page. Below `perhaps` a task's fault may as well be
+ * another one's. */
 static bool put_row(struct bytes *page, const struct step_result *step) {
-    bool done = page_html(page, "<tr><td><a href=\"#") && page_text(page, step->name) &&
-                page_html(page, "\">") && page_text(page, step->name) &&
-                page_html(page, "</a></td><td>") && put_state(page, step->state) &&
-                page_html(page, "</td><td>") && put_points(page, step->points, step->most) &&
-                page_html(page, "</td><td>");
+    bool done =
+        markup_print(page, "<tr><td><a href=\"#%s\">%s</a></td><td>", step->name, step->name) &&
+        put_state(page, step->state, "</td><td>", step->points, step->most) &&
+        markup_print(page, "</td><td>");
     for (size_t i = 0; done && i < step->task_count; i++) {
-        done = put_task(page, &step->tasks[i]);
+        const struct task_result *task = &step->tasks[i];
+        done =
+            markup_print(page, "<span>%s%s", task->name.text, task->perhaps ? " perhaps " : " ") &&
+            put_state(page, task->state, "", task->points, task->most) &&
+            markup_print(page, "</span> ");
     }
-    return done && page_html(page, "</td></tr>\n");
-}
-
-static bool put_note(struct bytes *page, const char *note) {
-    return note == NULL || note[0] == '\0' ||
-           (page_html(page, "<p>") && page_text(page, note) && page_html(page, "</p>\n"));
+    return done && markup_print(page, "</td></tr>\n");
 }
 
 static bool put_table(struct bytes *page, const struct check_result *result) {
-    bool done = page_html(page, "<p class=score>SCORE ") &&
-                put_points(page, result->points, result->most) &&
-                bytes_print(page, "</p>\n<p>%zu passed, %zu failed</p>\n", result->passed,
-                            result->failed) &&
-                page_html(page, "<div class=table><table><tr><th>step</th><th>state</th>"
-                                "<th>points</th><th>tasks</th></tr>\n");
+    bool done = markup_print(page,
+                             "<p class=score>SCORE %u/%u</p>\n<p>%u passed, %u failed</p>\n"
+                             "<div class=table><table><tr><th>step</th><th>state</th>"
+                             "<th>points</th><th>tasks</th></tr>\n",
+                             result->points, result->most, (unsigned)result->passed,
+                             (unsigned)result->failed);
     for (size_t i = 0; done && i < result->step_count; i++) {
         done = put_row(page, &result->steps[i]);
     }
-    return done && page_html(page, "</table></div>\n") && put_note(page, result->note);
+    return done && markup_print(page, "</table></div>\n") &&
+           (result->note == NULL || result->note[0] == '\0' ||
+            markup_print(page, "<p>%s</p>\n", result->note));
 }
 
 /* ---- A step ---- */
-
-/* What a compiler or a program said, as it said it; that of a step that does not build is open. */
-static bool put_messages(struct bytes *page, const struct step_result *step) {
-    return step->messages.size <= 1 ||
-           (page_html(page, step->state == RESULT_BUILD ? "<details open>" : "<details>") &&
-            page_html(page, "<summary>Messages</summary><pre tabindex=0>") &&
-            page_text(page, (const char *)step->messages.data) &&
-            page_html(page, "</pre></details>\n"));
-}
 
 /* "FAIL 0/4: 4.4 % of drawn pixels wrong ..." */
 static char *note_of(const struct item_result *item) {
@@ -83,24 +68,17 @@ static char *note_of(const struct item_result *item) {
                          item->credit->points, message[0] != '\0' ? ": " : "", message, counted);
 }
 
-static char *looks_of(const struct step_result *step, const struct item_result *item) {
-    return string_format("%s %s%s", result_likeness(item), item->looks.text,
-                         result_advice(step, item).text);
-}
-
-static char *reference_of(const struct step_result *step, const struct item_result *item,
-                          const char *references) {
-    return item->reference.text[0] != '\0'
-               ? string_format("%s", item->reference.text)
-               : string_format("%s/%s/%s.png", references, step->name, item->scene);
-}
-
-/* What is exact is folded away. */
-static bool put_summary(struct bytes *page, bool folded, const char *name, struct error *error) {
-    return !folded ||
-           (page_html(page, "<details><summary>") && page_text(page, name) &&
-            page_html(page, ": exact</summary>\n")) ||
-           error_out_of_memory(error);
+/* What is drawn of it, and what it should be. */
+static bool read_pictures(struct pictures *pictures, const struct step_result *step,
+                          const struct item_result *item, const char *references,
+                          struct error *error) {
+    char *reference = item->reference.text[0] != '\0'
+                          ? string_format("%s", item->reference.text)
+                          : string_format("%s/%s/%s.png", references, step->name, item->scene);
+    bool done = reference != NULL &&
+                pictures_read(pictures, item->yours.text, reference, item->rule, error);
+    free(reference);
+    return done;
 }
 
 /* The mistake's small picture, and yours in the same size. None where that is not kept. */
@@ -114,21 +92,23 @@ static bool read_small(const struct item_result *item, const struct pictures *pi
            looks_shrink(small, yours, reference, error);
 }
 
-/* The item's part of the page, with its pictures: all three, or where all pixels are equal the
- * reference alone. */
-static bool put_pictures(struct bytes *page, const struct step_result *step,
-                         const struct item_result *item, struct page_scene scene,
-                         struct error *error) {
-    if (item->looks.text[0] == '\0') {
+/* The item's part of the page, with what it looks like and its pictures: all three, or where all
+ * pixels are equal the reference alone. */
+static bool put_scene(struct bytes *page, const struct step_result *step,
+                      const struct item_result *item, struct page_scene scene,
+                      struct error *error) {
+    bool is_known = item->looks.text[0] != '\0';
+    if (!is_known && (item->seen.text[0] == '\0' || item->state != RESULT_FAIL)) {
         return page_scene(page, &scene, error);
     }
     struct image mistake = {.pixels = NULL}, small = {.pixels = NULL};
-    char *looks = looks_of(step, item);
+    char *looks = string_format("%s%s%s%s", is_known ? result_likeness(item) : "",
+                                is_known ? " " : "", is_known ? item->looks.text : item->seen.text,
+                                result_advice(step, item).text);
     scene.looks = looks;
     scene.mistake = &mistake;
     scene.small = &small;
-    bool done = (looks != NULL || error_out_of_memory(error)) &&
-                read_small(item, scene.pictures, &mistake, &small, error) &&
+    bool done = looks != NULL && read_small(item, scene.pictures, &mistake, &small, error) &&
                 page_scene(page, &scene, error);
     image_free(&mistake);
     image_free(&small);
@@ -136,57 +116,52 @@ static bool put_pictures(struct bytes *page, const struct step_result *step,
     return done;
 }
 
+/* What is exact is folded away. */
 static bool put_item(struct bytes *page, const struct step_result *step,
                      const struct item_result *item, const char *references, struct error *error) {
     struct pictures pictures = {0};
+    bool folded = item->state == RESULT_PASS && item->exact;
     char *name =
         string_format("%s%s%s", item->scene, item->counter[0] != '\0' ? " " : "", item->counter);
-    char *note = note_of(item), *reference = reference_of(step, item, references);
+    char *note = note_of(item);
     struct page_scene scene = {.name = name, .note = note, .level = 3, .pictures = &pictures};
-    bool done = name != NULL && note != NULL && reference != NULL;
-    if (!done) {
-        error_out_of_memory(error);
-    } else if (item->counter[0] == '\0') {
-        done = pictures_read(&pictures, item->yours.text, reference, item->rule, error);
-    }
-    bool folded = item->state == RESULT_PASS && item->exact;
-    done = done && put_summary(page, folded, name, error) &&
-           put_pictures(page, step, item, scene, error) &&
-           (page_html(page, folded ? "</details>\n" : "") || error_out_of_memory(error));
+    bool done =
+        name != NULL && note != NULL &&
+        (item->counter[0] != '\0' || read_pictures(&pictures, step, item, references, error)) &&
+        (!folded || markup_print(page, "<details><summary>%s: exact</summary>\n", name)) &&
+        put_scene(page, step, item, scene, error) &&
+        (!folded || markup_print(page, "</details>\n"));
     pictures_free(&pictures);
     free(name);
     free(note);
-    free(reference);
     return done;
+}
+
+/* What a compiler or a program said, as it said it; that of a step that does not build is open. */
+static bool put_messages(struct bytes *page, const struct step_result *step) {
+    return step->messages.size <= 1 ||
+           markup_print(
+               page, "<details%s><summary>Messages</summary><pre tabindex=0>%s</pre></details>\n",
+               step->state == RESULT_BUILD ? " open" : "", (const char *)step->messages.data);
 }
 
 static bool put_step(struct bytes *page, const struct step_result *step, const char *references,
                      struct error *error) {
-    bool begun = page_html(page, "<h2 id=\"") && page_text(page, step->name) &&
-                 page_html(page, "\">") && page_text(page, step->name) && page_html(page, " ") &&
-                 put_state(page, step->state) && put_points(page, step->points, step->most) &&
-                 page_html(page, "</h2>\n<p>") && page_text(page, step->reason.text) &&
-                 page_html(page, "</p>\n") && put_messages(page, step);
-    if (!begun) {
-        return error_out_of_memory(error);
+    bool done = markup_print(page, "<h2 id=\"%s\">%s ", step->name, step->name) &&
+                put_state(page, step->state, "", step->points, step->most) &&
+                markup_print(page, "</h2>\n<p>%s</p>\n", step->reason.text) &&
+                put_messages(page, step);
+    for (size_t i = 0; i < step->item_count && done; i++) {
+        done = put_item(page, step, &step->items[i], references, error);
     }
-    for (size_t i = 0; i < step->item_count; i++) {
-        if (!put_item(page, step, &step->items[i], references, error)) {
-            return false;
-        }
-    }
-    return true;
+    return done;
 }
 
-bool export_html(struct bytes *report, const struct check_result *result, const char *references,
-                 struct error *error) {
-    if (!page_begin(report, "make check") || !put_table(report, result)) {
-        return error_out_of_memory(error);
+bool export_html(struct bytes *report, const struct check_result *result, struct error *error) {
+    error_out_of_memory(error); /* unless something else goes wrong */
+    bool done = page_begin(report, "make check") && put_table(report, result);
+    for (size_t i = 0; i < result->step_count && done; i++) {
+        done = put_step(report, &result->steps[i], result->references, error);
     }
-    for (size_t i = 0; i < result->step_count; i++) {
-        if (!put_step(report, &result->steps[i], references, error)) {
-            return false;
-        }
-    }
-    return page_end(report) || error_out_of_memory(error);
+    return done && page_end(report);
 }

@@ -27,14 +27,6 @@ static int line_of(const char *place) {
     return colon != NULL && sscanf(colon + 1, "%d", &line) == 1 ? line : 0;
 }
 
-/* The line that `place` is in. */
-static const char *start_of_line(const char *place, const char *text) {
-    while (place > text && place[-1] != '\n') {
-        place--;
-    }
-    return place;
-}
-
 /* A line "PATH/STEP/main.c:120:5: runtime error: index 9 out of bounds". When it names a file
  * elsewhere (what main.c has called), the place is that of the first frame in the step's directory
  * below it, where there is one: "    #2 0x55d0 in line PATH/STEP/main.c:120". */
@@ -46,7 +38,7 @@ static bool describe_undefined(struct result_text *text, const char *step, const
     }
     char directory[SCENE_NAME_LIMIT + 2];
     snprintf(directory, sizeof directory, "%s/", step);
-    const char *line = start_of_line(error, messages), *own = strstr(line, directory);
+    const char *line = message_line_start(messages, error), *own = strstr(line, directory);
     const char *place = own != NULL ? own : line;
     result_say(text, "%.*s:%d: %s", (int)strcspn(place, ":\n"), place, line_of(place),
                drawn_message(error + strlen(words)).text);
@@ -73,7 +65,7 @@ static void describe_frame(struct result_text *text, const char *step, const cha
         result_say(text, "%s/main.c: it", step);
         return;
     }
-    const char *line = start_of_line(place, report);
+    const char *line = message_line_start(report, place);
     char function[64] = "it";
     const char *in = strstr(line, " in ");
     if (in != NULL && in < place && sscanf(in, " in %59[A-Za-z0-9_]", function) == 1) {

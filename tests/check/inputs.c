@@ -100,27 +100,20 @@ static void make_triangles(struct shape *shapes, struct random *random, bool one
     }
 }
 
-static bool put_line(struct bytes *out, const struct shape *shape, const struct variant *variant,
-                     bool one_color) {
-    int first = variant->reversed ? 1 : 0, second = 1 - first;
-    const int *a = shape->color[first], *b = shape->color[second];
-    bool done = bytes_print(out, "line %d %d %d %d %d %d %d", shape->x[first] + variant->right,
-                            shape->y[first] + variant->up, shape->x[second] + variant->right,
-                            shape->y[second] + variant->up, a[0], a[1], a[2]);
-    return done && (one_color || bytes_print(out, " %d %d %d", b[0], b[1], b[2])) &&
-           bytes_print(out, "\n");
-}
-
-static bool put_triangle(struct bytes *out, const struct shape *shape,
-                         const struct variant *variant, bool one_color) {
-    bool done = bytes_print(out, "triangle");
-    for (int i = 0; i < 3 && done; i++) {
-        int corner = (i + variant->turned) % 3;
-        done = bytes_print(out, " %.10f %.10f", (double)shape->x[corner] / UNIT + variant->right,
-                           (double)shape->y[corner] / UNIT + variant->up);
+/* A line of a text scene: where its ends or corners are, then their colours. */
+static bool put_shape(struct bytes *out, const struct shape *shape, int corners,
+                      const struct variant *variant, bool one_color) {
+    const bool is_line = corners == 2;
+    const double unit = is_line ? 1 : UNIT;
+    const int digits = is_line ? 0 : 10, first = is_line ? variant->reversed : variant->turned;
+    bool done = bytes_print(out, is_line ? "line" : "triangle");
+    for (int i = 0; i < corners && done; i++) {
+        int corner = (i + first) % corners;
+        done = bytes_print(out, " %.*f %.*f", digits, shape->x[corner] / unit + variant->right,
+                           digits, shape->y[corner] / unit + variant->up);
     }
-    for (int i = 0; i < (one_color ? 1 : 3) && done; i++) {
-        const int *color = shape->color[(i + variant->turned) % 3];
+    for (int i = 0; i < (one_color ? 1 : corners) && done; i++) {
+        const int *color = shape->color[(i + first) % corners];
         done = bytes_print(out, " %d %d %d", color[0], color[1], color[2]);
     }
     return done && bytes_print(out, "\n");
@@ -137,7 +130,7 @@ static bool put_text_scene(struct bytes *out, enum input_kind kind, uint64_t see
     shuffle(order, SHAPES, seed, variant->shuffled);
     bool done = bytes_print(out, "size %d %d\n", INPUT_SIZE, INPUT_SIZE);
     for (size_t i = 0; i < SHAPES && done; i++) {
-        done = (lines ? put_line : put_triangle)(out, &shapes[order[i]], variant, one_color);
+        done = put_shape(out, &shapes[order[i]], lines ? 2 : 3, variant, one_color);
     }
     return done;
 }

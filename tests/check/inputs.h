@@ -41,7 +41,7 @@ struct random {
 uint64_t random_next(struct random *random);
 int random_between(struct random *random, int least, int most); /* both inclusive */
 
-/* Write the input as `path`, a model's textures beside it: `name.obj` has `name_diffuse.tga`,
+/* Write the input as `path`, a model's textures next to it: `name.obj` has `name_diffuse.tga`,
  * `name_nm.tga` and `name_spec.tga`. A text scene of lines has the size width x height. */
 bool input_write(const char *path, enum input_kind kind, uint64_t seed,
                  const struct variant *variant, struct error *error);

@@ -21,6 +21,7 @@
 #include <errno.h>
 #include <math.h>
 #include <signal.h>
+#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -54,16 +55,13 @@ struct count_text {
 };
 
 static struct count_text show_count(uint64_t count) {
-    struct count_text shown;
+    struct count_text shown = {""};
     char digits[24];
-    int length = snprintf(digits, sizeof digits, "%llu", (unsigned long long)count), size = 0;
+    int length = snprintf(digits, sizeof digits, "%llu", (unsigned long long)count);
     for (int i = 0; i < length; i++) {
-        if (i > 0 && (length - i) % 3 == 0) {
-            shown.text[size++] = ',';
-        }
-        shown.text[size++] = digits[i];
+        bool begins_group = i > 0 && (length - i) % 3 == 0;
+        strncat(strcat(shown.text, begins_group ? "," : ""), digits + i, 1);
     }
-    shown.text[size] = '\0';
     return shown;
 }
 
@@ -74,12 +72,6 @@ static void describe_first(struct item_result *item, const struct tally *tally,
     item->y = tally->y;
     item->got = image_get(yours, (int)tally->x, (int)tally->y);
     item->wanted = image_get(reference, (int)tally->x, (int)tally->y);
-    if (item->state != RESULT_PASS) {
-        item->shift = compare_shift(reference, yours);
-    }
-    if (item->shift.x != 0 || item->shift.y != 0) {
-        result_say(&item->message, ", shifted by (%d,%d)", item->shift.x, item->shift.y);
-    }
     result_say(&item->message, ", first at (%zu,%zu): yours %d,%d,%d, right %d,%d,%d", item->x,
                item->y, item->got.r, item->got.g, item->got.b, item->wanted.r, item->wanted.g,
                item->wanted.b);
@@ -91,50 +83,54 @@ static const struct tally *judge_shares(struct item_result *item,
     const struct comparison *shares = &item->shares;
     const struct verdict verdict = verdict_find(shares, scene);
     const uint64_t drawn = shares->drawn, differing = shares->differing.count;
-    if (!verdict.passes && scene->exact) {
+    if (verdict.passes) {
+        item->state = RESULT_PASS;
+        result_say(&item->message, "%s differ (%s pixel%s)", share_show(differing, drawn, 0).text,
+                   show_count(differing).text, differing == 1 ? "" : "s");
+    } else if (scene->exact) {
         result_say(&item->message, "%s of %s drawn pixels differ (must be exact)",
                    show_count(differing).text, show_count(drawn).text);
-        return verdict.tally;
-    }
-    if (!verdict.passes && verdict.what == NULL) {
+    } else if (verdict.what == NULL) {
         const double lighter = compare_lighter(shares);
         result_say(&item->message, "too %s by %.1f levels on average (limit %g)",
                    lighter > 0 ? "light" : "dark", fabs(lighter), COMPARE_LIGHTER / 1000.0);
-        return verdict.tally;
-    }
-    if (!verdict.passes) {
+    } else {
         result_say(&item->message, "%s of drawn pixels %s (limit %g %%)",
                    share_show(verdict.tally->count, drawn, verdict.limit).text, verdict.what,
                    verdict.limit / 1000.0);
-        return verdict.tally;
     }
-    item->state = RESULT_PASS;
-    result_say(&item->message, "%s differ (%s pixel%s)", share_show(differing, drawn, 0).text,
-               show_count(differing).text, differing == 1 ? "" : "s");
     return verdict.tally;
 }
 
-/* For who sets the limits; at the end how far the picture is from the mistake that it looks like,
- * or - when it looks like none. */
+static void append_line(const char *path, const char *format, ...) PRINTF_LIKE(2, 3);
+
+/* Add to a file, "" for none, which whoever keeps limits and signs of mistakes has asked for. */
+static void append_line(const char *path, const char *format, ...) {
+    if (path[0] == '\0') {
+        return;
+    }
+    FILE *file = fopen(path, "a");
+    va_list arguments;
+    va_start(arguments, format);
+    if (file == NULL || vfprintf(file, format, arguments) < 0 || fclose(file) != 0) {
+        fprintf(stderr, "check: %s: %s\n", path, strerror(errno));
+    }
+    va_end(arguments);
+}
+
+/* At the end how far the picture is from the mistake that it looks like, or - when like none. */
 static void write_shares(const char *path, const char *step, const struct item_result *item,
                          const struct likeness *likeness) {
     char distance[24] = "-";
-    FILE *file = path[0] == '\0' ? NULL : fopen(path, "a");
     const struct comparison *shares = &item->shares;
-    double drawn = shares->drawn > 0 ? (double)shares->drawn : 1;
-    if (file != NULL) {
-        if (likeness->row > 0) {
-            snprintf(distance, sizeof distance, "%zu", likeness->distance);
-        }
-        fprintf(file, "%s %s %.4f %.4f %.4f %.4f %.4f %s\n", step, item->scene,
-                100 * (double)shares->wrong.count / drawn,
-                100 * (double)shares->apart.count / drawn,
-                100 * (double)shares->coverage.count / drawn,
-                100 * (double)shares->near.count / drawn, compare_lighter(shares), distance);
+    const double share = 100 / (shares->drawn > 0 ? (double)shares->drawn : 1);
+    if (likeness->row > 0) {
+        snprintf(distance, sizeof distance, "%zu", likeness->distance);
     }
-    if (path[0] != '\0' && (file == NULL || fclose(file) != 0)) {
-        fprintf(stderr, "check: %s: %s\n", path, strerror(errno));
-    }
+    append_line(path, "%s %s %.4f %.4f %.4f %.4f %.4f %s\n", step, item->scene,
+                share * (double)shares->wrong.count, share * (double)shares->apart.count,
+                share * (double)shares->coverage.count, share * (double)shares->near.count,
+                compare_lighter(shares), distance);
 }
 
 static void judge_picture(const struct judging *judging, size_t i, const struct image *yours) {
@@ -165,9 +161,7 @@ static void judge_picture(const struct judging *judging, size_t i, const struct 
         item->looks_path =
             looks_small_path(judging->options->looks, judging->step->name, item->scene);
         item->looks_row = likeness.row;
-        if (item->shift.x == 0 && item->shift.y == 0) {
-            item->seen = seen_find(reference, yours);
-        }
+        item->seen = seen_find(reference, yours);
     }
     write_shares(judging->options->shares, judging->step->name, item, &likeness);
 }
@@ -204,32 +198,31 @@ static struct result_path keep_picture(const struct image *picture, struct resul
 
 static void keep_pictures(const struct judging *judging, struct item_result *item,
                           const struct image *reference, const struct image *yours) {
-    struct image panels, picture = {.pixels = NULL};
+    struct image picture;
     struct error error;
     item->reference = reference_path(judging, item->scene);
     if (yours->pixels != NULL) {
         item->yours = keep_picture(yours, kept_path(judging, "yours/", item->scene));
     }
-    if (compare_picture(&panels, reference, yours, verdict_find(&item->shares, item->rule).pixels,
-                        &error) &&
-        legend_picture(&picture, &panels, reference->width, &error)) {
+    if (legend_picture(&picture, reference, yours, verdict_find(&item->shares, item->rule).pixels,
+                       &error)) {
         item->difference = keep_picture(&picture, kept_path(judging, "", item->scene));
     } else {
         fprintf(stderr, "check: no difference image: %s\n", error.message);
     }
-    image_free(&panels);
     image_free(&picture);
+}
+
+/* One that is not there has no name, which is no file's. */
+static void drop_picture(struct result_path *path) {
+    unlink(path->text);
+    path->text[0] = '\0';
 }
 
 /* A scene that was missing, and is exact where it is drawn alone, has none. */
 static void drop_pictures(struct item_result *item) {
-    struct result_path *paths[] = {&item->yours, &item->difference};
-    for (size_t i = 0; i < sizeof paths / sizeof paths[0]; i++) {
-        if (paths[i]->text[0] != '\0') {
-            unlink(paths[i]->text);
-            paths[i]->text[0] = '\0';
-        }
-    }
+    drop_picture(&item->yours);
+    drop_picture(&item->difference);
     item->reference.text[0] = '\0';
 }
 
@@ -267,21 +260,17 @@ static bool is_spoilt_memory(const char *said) {
            strstr(said, "corrupted") != NULL || strstr(said, "munmap_chunk()") != NULL;
 }
 
-/* How it ended, when not well. */
+/* How it ended, when not well, and what it said. */
 static void describe_end(struct result_text *text, const struct run_result *end,
                          const struct run_limits *limits) {
-    struct run_text stopped = run_stopped_by(end, limits);
-    struct message_line said = drawn_message((const char *)end->messages.data);
-    const char *colon = said.text[0] != '\0' ? ": " : "";
-    if (stopped.text[0] != '\0') {
-        bool speaks = end->end == RUN_KILLED;
-        result_say(text, "%s%s%s", stopped.text, speaks ? colon : "", speaks ? said.text : "");
-    } else if (end->end == RUN_KILLED) {
-        result_say(text, "%s%s%s%s", run_signal_name(end->number).text, colon,
-                   is_spoilt_memory(said.text) ? "memory was written outside of an array: " : "",
-                   said.text);
-    } else if (end->number != 0) {
-        result_say(text, "exit status %d%s%s", end->number, colon, said.text);
+    const struct message_line said = drawn_message((const char *)end->messages.data);
+    const struct run_text ended = run_ended_by(end, limits);
+    const bool speaks = said.text[0] != '\0' && (end->end == RUN_KILLED || end->end == RUN_EXITED);
+    const bool spoilt = end->end == RUN_KILLED && is_spoilt_memory(said.text);
+    if (ended.text[0] != '\0') {
+        result_say(text, "%s%s%s%s", ended.text, speaks ? ": " : "",
+                   spoilt ? "memory was written outside of an array: " : "",
+                   speaks ? said.text : "");
     }
 }
 
@@ -355,7 +344,7 @@ static bool judge_alone(const struct judging *judging, size_t i, struct error *e
     struct item_result *item = &judging->result->items[i];
     struct run_result end;
     bool done = drawn_run(options->programs, judging->step->name, judging->directory.path,
-                          item->scene, &judging->limits, &end, error);
+                          item->scene, NULL, &judging->limits, &end, error);
     if (done && end.end != RUN_INTERRUPTED && judge_scene(judging, i) == DRAWN_MISSING &&
         !ended_well(&end)) {
         blame(judging, item, &end);
@@ -468,8 +457,8 @@ static bool run_counting(const struct judging *judging, const char *scene, struc
         return false;
     }
     snprintf(path, sizeof path, "%s/.stats", directory.path);
-    bool done = drawn_run_stats(judging->options->programs, judging->step->name, directory.path,
-                                scene, path, &judging->limits, end, error);
+    bool done = drawn_run(judging->options->programs, judging->step->name, directory.path, scene,
+                          path, &judging->limits, end, error);
     if (done && !file_read(path, output, &ignored)) {
         bytes_free(output); /* it has made something else of the file */
     }
@@ -564,10 +553,7 @@ static void set_to_do(struct item_result *item, const char *task) {
     item->blamed = false;
     item->message.text[0] = '\0';
     item->looks_row = 0;
-    if (item->difference.text[0] != '\0') {
-        unlink(item->difference.text);
-        item->difference.text[0] = '\0';
-    }
+    drop_picture(&item->difference);
     const char *kind = strchr(task, '.') != NULL ? "task" : "part";
     result_say(&item->message, "%s %s is to do", kind, task);
 }
@@ -621,14 +607,17 @@ static void tell_crashing_functions(struct step_result *result) {
     }
 }
 
-/* What is known of the program, for an item of which it is asked what it looks like. */
-static struct suspicion suspicion_of(const struct judging *judging,
-                                     const struct item_result *item) {
-    return (struct suspicion){.result = judging->result,
-                              .looks = judging->looks,
-                              .scene_count = judging->step->scene_count,
-                              .source = (const char *)judging->source.data,
-                              .item = item};
+/* Say that the item looks like these mistakes, as far as what else is known allows it. */
+static void tell(const struct judging *judging, struct item_result *item, struct mistake_set set) {
+    const struct suspicion suspicion = {.result = judging->result,
+                                        .looks = judging->looks,
+                                        .scene_count = judging->step->scene_count,
+                                        .source = (const char *)judging->source.data,
+                                        .item = item};
+    for (size_t i = 0; i < set.count; i++) {
+        set.doubts[i] = doubt_find(&suspicion, set.list[i]);
+    }
+    mistakes_tell(item, &set);
 }
 
 /* Say what the wrong pictures look like, now that all is known. */
@@ -636,10 +625,8 @@ static void tell_likenesses(const struct judging *judging) {
     for (size_t i = 0; i < judging->step->scene_count; i++) {
         struct item_result *item = &judging->result->items[i];
         const struct looks *looks = &judging->looks[i];
-        const struct suspicion suspicion = suspicion_of(judging, item);
         item->only_may_be = item->looks_row > 0 && item->looks_row == looks->starter;
-        const struct mistake_set set = looks_mistakes(looks, item->looks_row);
-        mistakes_tell(item, &set, doubt_find, &suspicion);
+        tell(judging, item, looks_mistakes(looks, item->looks_row));
     }
 }
 
@@ -651,86 +638,41 @@ static bool is_wrong_work(const struct judging *judging, size_t i) {
            item->state == RESULT_FAIL && !item->blamed && !item->unjudged;
 }
 
-/* Is item i a picture that tells nothing, blank or missing for a division by 0? */
-static bool is_not_there(const struct judging *judging, size_t i) {
-    const struct item_result *item = &judging->result->items[i];
+/* Is it a picture that tells nothing, blank or missing for a division by 0? */
+static bool is_not_there(const struct item_result *item) {
     return (item->state == RESULT_FAIL && item->blank) ||
            (item->state == RESULT_CRASH && item->divided);
 }
 
-/* For whoever keeps the signs of mistakes. */
-static void write_sign(const char *path, const struct counted *counted) {
-    FILE *file = path[0] == '\0' ? NULL : fopen(path, "a");
-    if (file != NULL) {
-        fprintf(file, "%s\n", counted->text);
-    }
-    if (path[0] != '\0' && (file == NULL || fclose(file) != 0)) {
-        fprintf(stderr, "check: %s: %s\n", path, strerror(errno));
-    }
-}
-
-/* Say of these items, which show `yours` together, which mistakes do so too. */
-static void tell_counted(const struct judging *judging, const size_t *items,
-                         const struct counted *yours, size_t count) {
-    const struct mistake_set set = counted_find(&judging->mistakes, yours, count);
-    for (size_t i = 0; i < count && counted_tells(yours, count); i++) {
-        struct item_result *item = &judging->result->items[items[i]];
-        const struct suspicion suspicion = suspicion_of(judging, item);
-        item->only_may_be |= (item->blank || item->divided) && item->counter[0] == '\0';
-        mistakes_tell(item, &set, doubt_find, &suspicion);
-        write_sign(judging->options->counted, &yours[i]);
+/* Say which mistakes show the same as the item, which no picture tells. */
+static void tell_counted(const struct judging *judging, struct item_result *item,
+                         const char *output) {
+    struct counted yours;
+    if (counted_of(&yours, judging->result, item, output)) {
+        item->only_may_be |= item->counter[0] == '\0';
+        tell(judging, item, counted_find(&judging->mistakes, &yours));
+        append_line(judging->options->counted, "%s\n", yours.text);
     }
 }
 
-/* `output` is what the program has printed with --stats. Each counter is told by itself, all
- * pictures that are not there together. `items` and `yours` have room for all. */
-static void tell_untold(const struct judging *judging, const char *output, size_t *items,
-                        struct counted *yours) {
-    struct step_result *result = judging->result;
-    size_t count = 0;
-    bool is_clear = true;
-    for (size_t i = 0; i < result->item_count; i++) {
-        const struct item_result *item = &result->items[i];
-        items[count] = i;
-        if (is_not_there(judging, i)) {
-            is_clear &= counted_of(&yours[count], result, item, output);
-            count++;
-        } else if (is_wrong_work(judging, i) && counted_of(&yours[count], result, item, output)) {
-            tell_counted(judging, &items[count], &yours[count], 1);
+/* The same of all of them: what is counted wrongly is counted once more, with all else. */
+static bool count_and_tell(const struct judging *judging, struct error *error) {
+    bool done = true;
+    for (size_t i = 0; i < judging->result->item_count && done; i++) {
+        struct item_result *item = &judging->result->items[i];
+        struct bytes output = {.data = NULL};
+        struct run_result end = {.end = RUN_EXITED};
+        if (is_not_there(item)) {
+            tell_counted(judging, item, "");
+        } else if (is_wrong_work(judging, i)) {
+            done = run_counting(judging, item->scene, &output, &end, error);
+            if (done && ended_well(&end)) {
+                tell_counted(judging, item, (const char *)output.data);
+            }
         }
+        bytes_free(&output);
+        bytes_free(&end.messages);
     }
-    if (is_clear) {
-        tell_counted(judging, items, yours, count);
-    }
-}
-
-/* Say what the failures look like that no picture tells. */
-static bool count_and_tell(const struct judging *judging, const struct run_result *drawn,
-                           struct error *error) {
-    const struct step_result *result = judging->result;
-    struct bytes output = {.data = NULL};
-    struct run_result end = {.end = RUN_EXITED};
-    bool is_untold = false, done = true;
-    for (size_t i = 0; i < result->item_count; i++) {
-        is_untold |= is_wrong_work(judging, i) || is_not_there(judging, i);
-    }
-    if (!is_untold) {
-        return true;
-    }
-    if (ended_well(drawn)) { /* else it would end badly again */
-        done = run_counting(judging, judging->options->only, &output, &end, error);
-    }
-    size_t *items = calloc(result->item_count, sizeof *items);
-    struct counted *yours = calloc(result->item_count, sizeof *yours);
-    if (items == NULL || yours == NULL) {
-        done = error_out_of_memory(error);
-    } else if (done && ended_well(&end)) {
-        tell_untold(judging, output.data != NULL ? (const char *)output.data : "", items, yours);
-    }
-    free(items);
-    free(yours);
-    bytes_free(&output);
-    bytes_free(&end.messages);
     return done;
 }
 
@@ -768,14 +710,14 @@ static bool draw_and_judge(struct judging *judging, struct error *error) {
         return false;
     }
     bool done = drawn_run(options->programs, judging->step->name, judging->directory.path,
-                          options->only, &judging->limits, &end, error);
+                          options->only, NULL, &judging->limits, &end, error);
     if (done && end.end != RUN_INTERRUPTED) {
         judge_end(judging, &result->state, &result->reason, &end);
         done = judge_pictures(judging, &end, error) && judge_works(judging, error);
         find_all_to_do(judging);
         tell_crashing_functions(result);
         tell_likenesses(judging);
-        done = done && count_and_tell(judging, &end, error);
+        done = done && count_and_tell(judging, error);
     }
     result->messages = end.messages;
     run_directory_remove(judging->directory.path);
@@ -865,10 +807,9 @@ void judge_step(const struct options *options, const struct checked_step *step,
     }
     step_result_finish(result);
     find_waiting_tasks(&judging);
-    for (size_t i = 0; judging.references != NULL && i < step->scene_count; i++) {
+    bool has_lists = judging.references != NULL && judging.looks != NULL;
+    for (size_t i = 0; has_lists && i < step->scene_count; i++) {
         image_free(&judging.references[i]);
-    }
-    for (size_t i = 0; judging.looks != NULL && i < step->scene_count; i++) {
         looks_free(&judging.looks[i]);
     }
     mistakes_free(&judging.mistakes);

@@ -5,6 +5,7 @@
 enum {
     LEAST_SIZE = 400, /* pixels of a panel in the picture, along its shorter side */
     MOST_TIMES = 16,  /* how much it is enlarged at most */
+    GAP = 8,          /* pixels between two panels, enlarged as they are */
     DOT = 2,          /* pixels along the side of a letter's dot */
     LETTER_WIDTH = 5, /* dots */
     LETTER_HEIGHT = 7,
@@ -86,12 +87,15 @@ static void write_explanations(struct image *image, size_t columns) {
     }
 }
 
-/* Every pixel of the panels becomes a square; the panels' bottom row is at y. */
-static void enlarge(struct image *picture, const struct image *panels, size_t times, size_t y) {
-    for (size_t j = 0; j < panels->height * times; j++) {
-        for (size_t i = 0; i < panels->width * times; i++) {
-            image_set(picture, (int)i, (int)(y + j),
-                      image_get(panels, (int)(i / times), (int)(j / times)));
+/* Every pixel of a panel of the reference's size becomes a square, (x,y) the bottom-left one. What
+ * the panel lacks is background, what it has besides is cut off. */
+static void put_panel(struct image *picture, const struct image *panel,
+                      const struct image *reference, size_t times, size_t x, size_t y) {
+    for (size_t j = 0; j < reference->height; j++) {
+        for (size_t i = 0; i < reference->width; i++) {
+            bool is_there = i < panel->width && j < panel->height;
+            fill(picture, x + i * times, y + j * times, times, times,
+                 is_there ? image_get(panel, (int)i, (int)j) : color_grey(0));
         }
     }
 }
@@ -103,22 +107,29 @@ static size_t find_times(size_t width, size_t height) {
     return times > MOST_TIMES ? MOST_TIMES : times;
 }
 
-bool legend_picture(struct image *picture, const struct image *panels, size_t width,
-                    struct error *error) {
+bool legend_picture(struct image *picture, const struct image *reference, const struct image *yours,
+                    enum compare_pixels wrong, struct error *error) {
     static const char *const names[] = {"REFERENCE", "YOURS", "DIFFERENCE"};
-    size_t times = find_times(width, panels->height), panels_width = panels->width * times;
+    size_t times = find_times(reference->width, reference->height);
+    size_t panels_width = (3 * reference->width + 2 * GAP) * times;
     size_t columns = explanation_columns(panels_width);
     size_t bottom = (EXPLANATIONS + columns - 1) / columns * LINE_STEP;
-    size_t top = bottom + panels->height * times;
-    if (!image_create(picture, panels_width, top + LINE_STEP, IMAGE_BGR, error)) {
-        return false;
+    size_t height = reference->height * times, top = bottom + height;
+    struct image difference;
+    *picture = (struct image){.pixels = NULL};
+    bool done = compare_difference(&difference, reference, yours, wrong, error) &&
+                image_create(picture, panels_width, top + LINE_STEP, IMAGE_BGR, error);
+    if (done) {
+        const struct image *const panels[] = {reference, yours, &difference};
+        image_clear(picture, color_grey(64));
+        fill(picture, 0, bottom, panels_width, height, color_grey(128));
+        write_explanations(picture, columns);
+        for (size_t i = 0; i < 3; i++) {
+            size_t begin = i * (reference->width + GAP) * times;
+            put_panel(picture, panels[i], reference, times, begin, bottom);
+            write_words(picture, begin + MARGIN, top + MARGIN, names[i]);
+        }
     }
-    image_clear(picture, color_grey(64));
-    enlarge(picture, panels, times, bottom);
-    write_explanations(picture, columns);
-    for (size_t i = 0; i < 3; i++) {
-        size_t begin = i * (panels->width - width) / 2 * times;
-        write_words(picture, begin + MARGIN, top + MARGIN, names[i]);
-    }
-    return true;
+    image_free(&difference);
+    return done;
 }

@@ -1,5 +1,6 @@
 #include "looks.h"
 
+#include "check/page/pictures.h"
 #include "files/image_file.h"
 
 #include <stdio.h>
@@ -80,31 +81,23 @@ void looks_free(struct looks *looks) {
 
 /* ---- Comparing ---- */
 
-static bool agree(struct color a, struct color b, int levels) {
-    return abs(a.r - b.r) <= levels && abs(a.g - b.g) <= levels && abs(a.b - b.b) <= levels;
-}
-
 /* At how many of the pixels has the picture not the colours of that row? */
 static size_t find_distance(const struct looks *looks, size_t row, const struct image *picture,
                             int levels) {
     size_t distance = 0;
     for (size_t i = 0; i < looks->pixels.width; i++) {
         struct place place = looks_place(&looks->pixels, i);
-        distance += !agree(image_get(&looks->pixels, (int)i, (int)row),
-                           image_get(picture, (int)place.x, (int)place.y), levels);
+        distance += color_distance(image_get(&looks->pixels, (int)i, (int)row),
+                                   image_get(picture, (int)place.x, (int)place.y)) > levels;
     }
     return distance;
-}
-
-static bool is_black(struct color color) {
-    return color.r == 0 && color.g == 0 && color.b == 0;
 }
 
 /* A black picture looks like that of every mistake that makes all nearly black. */
 static bool is_all_black(const struct looks *looks, const struct image *picture) {
     for (size_t i = 0; i < looks->pixels.width; i++) {
         struct place place = looks_place(&looks->pixels, i);
-        if (!is_black(image_get(picture, (int)place.x, (int)place.y))) {
+        if (!color_is_black(image_get(picture, (int)place.x, (int)place.y))) {
             return false;
         }
     }
@@ -120,7 +113,7 @@ static size_t count_wrong_colors(const struct looks *looks, const struct image *
         struct place place = looks_place(&looks->pixels, i);
         struct color color = image_get(picture, (int)place.x, (int)place.y);
         struct color right = image_get(&looks->pixels, (int)i, 1);
-        count += !is_black(color) && !agree(color, right, levels);
+        count += !color_is_black(color) && color_distance(color, right) > levels;
     }
     return count;
 }
@@ -244,48 +237,14 @@ static uint8_t find_level(uint8_t value) {
     return (uint8_t)((value * LEVELS + MOST / 2) / MOST * MOST / LEVELS);
 }
 
-static int distance(struct color a, struct color b) {
-    int red = abs(a.r - b.r), green = abs(a.g - b.g), blue = abs(a.b - b.b);
-    int most = red > green ? red : green;
-    return most > blue ? most : blue;
-}
-
-/* Of the pixels from (x,y) up to, without, (right,top): the one that is farthest from the
- * reference's, so that no hole and no line is lost; where none is, the brightest. */
-static struct color choose_pixel(const struct image *picture, const struct image *reference,
-                                 size_t x, size_t y, size_t right, size_t top) {
-    const struct color black = {.a = 255};
-    struct color chosen = black;
-    int most = -1;
-    for (size_t j = y; j < top; j++) {
-        for (size_t i = x; i < right; i++) {
-            struct color color = image_get(picture, (int)i, (int)j);
-            int wrong = distance(color, image_get(reference, (int)i, (int)j));
-            int weight = (wrong > COMPARE_LEVELS ? wrong * 256 : 0) + distance(color, black);
-            if (weight > most) {
-                most = weight;
-                chosen = color;
-            }
-        }
-    }
-    return chosen;
-}
-
 bool looks_shrink(struct image *small, const struct image *picture, const struct image *reference,
                   struct error *error) {
     struct size size = small_size(reference);
-    size_t width = reference->width, height = reference->height;
-    if (!image_create(small, size.width, size.height, IMAGE_BGR, error)) {
+    if (!picture_shrink(small, picture, reference, size.width, size.height, error)) {
         return false;
     }
-    for (size_t y = 0; y < size.height; y++) {
-        for (size_t x = 0; x < size.width; x++) {
-            struct color color =
-                choose_pixel(picture, reference, x * width / size.width, y * height / size.height,
-                             (x + 1) * width / size.width, (y + 1) * height / size.height);
-            image_set(small, (int)x, (int)y,
-                      color_rgb(find_level(color.r), find_level(color.g), find_level(color.b)));
-        }
+    for (size_t i = 0; i < size.width * size.height * (size_t)small->format; i++) {
+        small->pixels[i] = find_level(small->pixels[i]);
     }
     return true;
 }

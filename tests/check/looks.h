@@ -1,8 +1,8 @@
 /*
  * Which of the lessons' known mistakes a wrong picture looks like.
  *
- * Of each mistake of stepNN_name/mistakes.txt the colours at some hundred pixels of each scene are
- * kept: pixels at which the mistakes differ from the reference and from each other, and some
+ * Each mistake of stepNN_name/mistakes.txt is kept as its colours at some hundred pixels of each
+ * scene: pixels at which the mistakes differ from the reference and from each other, and some
  * others. They are made by `make mistakes STEP=NN` after a change of main.c, scenes or mistakes.txt
  * (`make verify` finds those that are out of date), in two files for each scene:
  *
@@ -14,7 +14,7 @@
  *                                                the picture of each row, for people: small, side
  *                                                by side in the order of the rows
  *
- * Which row is whose stands in signs.txt beside them (mistakes.h).
+ * Which row is whose is in signs.txt next to them (mistakes.h).
  *
  * A wrong diagnosis is worse than none. So a picture looks like a mistake only when
  *

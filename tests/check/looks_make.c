@@ -48,8 +48,7 @@ struct making {
 
 static bool are_apart(const struct image *a, const struct image *b, size_t x, size_t y,
                       int levels) {
-    struct color p = image_get(a, (int)x, (int)y), q = image_get(b, (int)x, (int)y);
-    return abs(p.r - q.r) > levels || abs(p.g - q.g) > levels || abs(p.b - q.b) > levels;
+    return color_distance(image_get(a, (int)x, (int)y), image_get(b, (int)x, (int)y)) > levels;
 }
 
 /* ---- Reading ---- */

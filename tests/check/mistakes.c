@@ -104,20 +104,17 @@ static void add_figure(struct item_result *item, unsigned figure) {
     }
 }
 
-void mistakes_tell(struct item_result *item, const struct mistake_set *set,
-                   mistake_doubt_function *doubt, const void *context) {
-    enum mistake_doubt doubts[LOOKS_NAME_LIMIT], least = MISTAKE_IMPOSSIBLE;
+void mistakes_tell(struct item_result *item, const struct mistake_set *set) {
+    enum mistake_doubt least = MISTAKE_IMPOSSIBLE;
     for (size_t i = 0; i < set->count; i++) {
-        doubts[i] = doubt != NULL ? doubt(context, set->list[i]) : MISTAKE_LIKELY;
-        least = doubts[i] < least ? doubts[i] : least;
+        least = set->doubts[i] < least ? set->doubts[i] : least;
     }
-    bool told = false;
     for (size_t i = 0; i < set->count && least < MISTAKE_IMPOSSIBLE; i++) {
-        if (doubts[i] == least) {
-            result_say(&item->looks, "%s\"%s\"", told ? " or " : "", set->list[i]->words);
+        if (set->doubts[i] == least) {
+            result_say(&item->looks, "%s\"%s\"", item->looks.text[0] != '\0' ? " or " : "",
+                       set->list[i]->words);
             add_task(item, set->list[i]->task.text);
             add_figure(item, set->list[i]->figure);
-            told = true;
         }
     }
     item->only_may_be |= least == MISTAKE_DOUBTFUL;

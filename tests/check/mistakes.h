@@ -47,15 +47,6 @@ void mistakes_free(struct mistake_list *mistakes);
 /* The sign behind this one, or NULL. */
 const char *mistake_next_sign(const char *sign);
 
-/* Mistakes that show the same. */
-struct mistake_set {
-    const struct mistake *list[LOOKS_NAME_LIMIT];
-    size_t count;
-};
-
-/* Add it. Where there are more than LOOKS_NAME_LIMIT, false. */
-bool mistake_set_add(struct mistake_set *set, const struct mistake *mistake);
-
 /* What else is known of a program, and speaks against a mistake. */
 enum mistake_doubt {
     MISTAKE_LIKELY,
@@ -63,13 +54,20 @@ enum mistake_doubt {
     MISTAKE_DOUBTFUL,  /* another scene is wrong in another way */
     MISTAKE_IMPOSSIBLE /* never to be told */
 };
-typedef enum mistake_doubt mistake_doubt_function(const void *context,
-                                                  const struct mistake *mistake);
+
+/* Mistakes that show the same. */
+struct mistake_set {
+    const struct mistake *list[LOOKS_NAME_LIMIT];
+    enum mistake_doubt doubts[LOOKS_NAME_LIMIT];
+    size_t count;
+};
+
+/* Add it, a likely one. Where there are more than LOOKS_NAME_LIMIT, false. */
+bool mistake_set_add(struct mistake_set *set, const struct mistake *mistake);
 
 /* Say of an item that it looks like "A" or "B", those of the set with the least doubt, which tasks
  * are at fault in these, and which figures show them; where they are doubtful, that it only may be
- * one of them. Without `doubt` (NULL) all are likely. */
-void mistakes_tell(struct item_result *item, const struct mistake_set *set,
-                   mistake_doubt_function *doubt, const void *context);
+ * one of them. */
+void mistakes_tell(struct item_result *item, const struct mistake_set *set);
 
 #endif

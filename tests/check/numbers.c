@@ -29,6 +29,7 @@ struct called_task {
 struct calling {
     const struct options *options;
     const struct checked_step *step;
+    char name[PROGRAM_NAME_LIMIT]; /* of the program */
     struct called_task *tasks;
     size_t count;
     const char **arguments; /* of the program: the last are tasks that are not called */
@@ -117,10 +118,6 @@ static bool judge_line(struct calling *calling, char *line, const struct run_res
 
 /* ---- The program ---- */
 
-static void name_program(char name[PROGRAM_NAME_LIMIT], const struct checked_step *step) {
-    snprintf(name, PROGRAM_NAME_LIMIT, "numbers/%s", step->name);
-}
-
 /* Call the functions until all are called, or one does not come back: then `*more`. */
 static bool call_some(struct calling *calling, const char *directory, bool *more,
                       struct error *error) {
@@ -157,9 +154,7 @@ static bool call_some(struct calling *calling, const char *directory, bool *more
 static bool call_all(struct calling *calling, struct error *error) {
     struct run_directory directory;
     struct drawn_path program;
-    char name[PROGRAM_NAME_LIMIT];
-    name_program(name, calling->step);
-    if (!drawn_program(&program, calling->options->programs, name, error) ||
+    if (!drawn_program(&program, calling->options->programs, calling->name, error) ||
         !run_directory_create(&directory, error)) {
         return false;
     }
@@ -185,7 +180,8 @@ static void finish(const struct calling *calling, const char *source) {
     for (size_t i = 0; i < calling->count; i++) {
         const struct called_task *task = &calling->tasks[i];
         if (task->wrong > 1) {
-            result_say(&task->item->message, " (and %zu more calls)", task->wrong - 1);
+            result_say(&task->item->message, " (and %zu more call%s)", task->wrong - 1,
+                       task->wrong == 2 ? "" : "s");
         } else if (task->wrong == 0 && task->called > 0) {
             task->item->state = RESULT_PASS;
         } else if (task->called == 0 && !todo_has_task(source, task->item->counter)) {
@@ -196,9 +192,7 @@ static void finish(const struct calling *calling, const char *source) {
 
 static bool build_and_call(struct calling *calling, const char *source, struct error *error) {
     struct build_result built;
-    char name[PROGRAM_NAME_LIMIT];
-    name_program(name, calling->step);
-    bool done = build_step(calling->options, name, &built, error);
+    bool done = build_step(calling->options, calling->name, &built, error);
     if (done && built.reason.text[0] != '\0') {
         set_not_called(calling, built.reason.text);
     } else if (done && run_caught_signal() == 0) {
@@ -225,6 +219,7 @@ static void begin(struct calling *calling, const char *source, struct step_resul
 bool numbers_judge(const struct options *options, const struct checked_step *step,
                    const char *source, struct step_result *result, struct error *error) {
     struct calling calling = {.options = options, .step = step};
+    snprintf(calling.name, sizeof calling.name, "numbers/%s", step->name);
     calling.tasks = calloc(step->work_count + 1, sizeof *calling.tasks);
     calling.arguments = calloc(2 * step->work_count + ARGUMENT_COUNT, sizeof *calling.arguments);
     bool done = false;

@@ -34,17 +34,6 @@ static enum input_kind kind_for(const char *step, const char *scene) {
     return lines ? INPUT_LINES : INPUT_TRIANGLES;
 }
 
-/* How the program ended, when not well: "SIGSEGV". */
-static struct run_text describe_end(const struct run_result *end, const struct run_limits *limits) {
-    struct run_text text = run_stopped_by(end, limits);
-    if (text.text[0] == '\0' && end->end == RUN_KILLED) {
-        snprintf(text.text, sizeof text.text, "%s", run_signal_name(end->number).text);
-    } else if (text.text[0] == '\0' && end->number != 0) {
-        snprintf(text.text, sizeof text.text, "exit status %d", end->number);
-    }
-    return text;
-}
-
 /* Draw one of the two pictures. False when the check cannot; where the program did not draw it,
  * the image is empty, and `ended` says how, when not well. */
 static bool draw(struct image *image, const char *programs, const char *step, const char *scene,
@@ -53,17 +42,17 @@ static bool draw(struct image *image, const char *programs, const char *step, co
     const bool text = unseen_takes_text(step);
     const char *const options[] = {"-s", size, "--only", scene, NULL};
     const char *const nothing[] = {NULL};
-    char program[DRAWN_PATH_LIMIT];
+    struct drawn_path program;
     struct unseen_place place;
     struct run_result end;
     struct error reason;
     *image = (struct image){.pixels = NULL};
-    if (!unseen_program(program, programs, step, error) || !unseen_begin(&place, error)) {
+    if (!drawn_program(&program, programs, step, error) || !unseen_begin(&place, error)) {
         return false;
     }
-    bool done = unseen_draw(&place, program, text ? nothing : options, kind, SEED, variant, limits,
-                            &end, error);
-    struct run_text description = done ? describe_end(&end, limits) : (struct run_text){""};
+    bool done = unseen_draw(&place, program.text, text ? nothing : options, kind, SEED, variant,
+                            limits, &end, error);
+    struct run_text description = done ? run_ended_by(&end, limits) : (struct run_text){""};
     if (done && description.text[0] != '\0') {
         *ended = description;
     } else if (done) {

@@ -4,7 +4,7 @@
  * by whole pixels. (T. Y. Chen, S. C. Cheung, S. M. Yiu, "Metamorphic testing", 1998.)
  *
  * The program is given models or text scenes of inputs.h. Which relation a lesson promises, and how
- * many pixels may break it, stands in the table of scenes.
+ * many pixels may break it, is in the table of scenes.
  */
 #ifndef TESTS_CHECK_RELATION_H
 #define TESTS_CHECK_RELATION_H
@@ -17,9 +17,9 @@
 
 enum relation {
     RELATION_SHUFFLED, /* shapes in another order */
-    RELATION_TURNED,   /* the corners of each face turned: 2, 3, 1 in place of 1, 2, 3 */
+    RELATION_TURNED,   /* the corners of each face turned: 2, 3, 1 instead of 1, 2, 3 */
     RELATION_REVERSED, /* the ends of each line exchanged */
-    RELATION_MOVED,    /* moved by whole pixels: equal but for the shift */
+    RELATION_MOVED,    /* moved by whole pixels: equal except for the shift */
     RELATION_HALVED,   /* drawn twice as large, and halved */
     RELATION_COUNT
 };

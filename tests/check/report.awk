@@ -1,5 +1,5 @@
 # Reads what `check --json FILE` writes, in which each task and each item has a line of its own:
-# for programs of awk that stand behind this one (-f report.awk -f other.awk FILE).
+# for programs of awk that follow this one (-f report.awk -f other.awk FILE).
 
 # What stands behind "name": in this line; empty when it is not there. Text is as JSON has it, with
 # its \" and \n.

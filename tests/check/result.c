@@ -164,13 +164,23 @@ const struct item_result *result_numbers_of(const struct step_result *result,
     return NULL;
 }
 
+/* The first task of which that is true for the item: its number, or task_count. */
+static size_t first_task(const struct step_result *result, const struct item_result *item,
+                         bool is_true(const struct step_result *result,
+                                      const struct item_result *item, const char *task)) {
+    size_t i = 0;
+    while (i < result->task_count && !is_true(result, item, result->tasks[i].name.text)) {
+        i++;
+    }
+    return i;
+}
+
 /* The first task that may be to blame for an item that is wrong. */
 static const char *first_suspect(const struct step_result *result, const struct item_result *item) {
     const struct credit *credit = item->credit;
-    for (size_t i = 0; i < result->task_count; i++) {
-        if (numbers_blame(result, item, result->tasks[i].name.text)) {
-            return result->tasks[i].name.text;
-        }
+    size_t blamed = first_task(result, item, numbers_blame);
+    if (blamed < result->task_count) {
+        return result->tasks[blamed].name.text;
     }
     if (item->looks_task_count > 0) {
         return item->looks_tasks[0].text;
@@ -201,26 +211,11 @@ struct result_text result_advice(const struct step_result *result, const struct 
 
 /* Does the item look like a mistake of this task, which it shows or needs? What only may be one
  * names none. */
-static bool names(const struct item_result *item, const char *task) {
-    const struct credit *credit = item->credit;
+static bool names(const struct step_result *result, const struct item_result *item,
+                  const char *task) {
+    (void)result;
     return !item->only_may_be && task_is_among(item->looks_tasks, item->looks_task_count, task) &&
-           credit_has(credit, task);
-}
-
-static bool names_any(const struct step_result *result, const struct item_result *item) {
-    bool found = false;
-    for (size_t i = 0; i < result->task_count; i++) {
-        found |= names(item, result->tasks[i].name.text);
-    }
-    return found;
-}
-
-static bool numbers_blame_any(const struct step_result *result, const struct item_result *item) {
-    bool found = false;
-    for (size_t i = 0; i < result->task_count; i++) {
-        found |= numbers_blame(result, item, result->tasks[i].name.text);
-    }
-    return found;
+           credit_has(item->credit, task);
 }
 
 /* May this task be at fault in the item, which is wrong? */
@@ -228,11 +223,11 @@ static bool is_suspect(const struct step_result *result, const struct item_resul
                        const char *task) {
     const struct credit *credit = item->credit;
     const struct item_result *told = item->unjudged ? result_picture_of(result, item) : item;
-    if (numbers_blame_any(result, told)) {
+    if (first_task(result, told, numbers_blame) < result->task_count) {
         return numbers_blame(result, told, task);
     }
-    if (names_any(result, told)) {
-        return names(told, task);
+    if (first_task(result, told, names) < result->task_count) {
+        return names(result, told, task);
     }
     bool may_be_right =
         item->state == RESULT_FAIL && (item->unjudged || count_suspects(result, credit) > 0);
@@ -253,7 +248,8 @@ static bool is_need_wrong(const struct step_result *result, const struct credit 
 /* Is it not known whose fault the item is? The states of all tasks are known. */
 static bool is_unsure(const struct step_result *result, const struct item_result *item) {
     const struct credit *credit = item->credit;
-    if (item->state != RESULT_FAIL || numbers_blame_any(result, item)) {
+    if (item->state != RESULT_FAIL ||
+        first_task(result, item, numbers_blame) < result->task_count) {
         return false;
     }
     if (item->looks_task_count > 0 && !item->only_may_be) {

@@ -75,7 +75,6 @@ struct item_result {
     struct comparison shares;      /* pixels drawn, and of them wrong, apart, in one picture only */
     size_t x, y;                   /* the first pixel that `message` is about, when not exact */
     struct color got, wanted;      /* its colour, and the right one */
-    struct shift shift;            /* (0,0) when yours is not moved */
     struct result_path yours, reference, difference; /* pictures, when not exact */
 };
 
@@ -124,8 +123,9 @@ struct check_result {
     size_t step_count;
     size_t passed, failed; /* steps */
     unsigned points, most;
-    bool cannot_work; /* the check itself */
-    const char *note; /* a line that the reports begin with; NULL or "" for none */
+    bool cannot_work;       /* the check itself */
+    const char *note;       /* a line that the reports begin with; NULL or "" for none */
+    const char *references; /* the directory of the reference images, for the page */
 };
 
 /* The word for it: "PASS", "TODO", ... */

@@ -81,7 +81,7 @@ void run_die_of_signal(void) {
     raise(caught_signal);
 }
 
-struct signal_name run_signal_name(int number) {
+struct run_text run_signal_name(int number) {
     static const struct {
         int number;
         const char *name;
@@ -103,7 +103,7 @@ struct signal_name run_signal_name(int number) {
         {SIGHUP, "SIGHUP"},
         {SIGALRM, "SIGALRM"},
     };
-    struct signal_name name;
+    struct run_text name;
     snprintf(name.text, sizeof name.text, "signal %d", number);
     for (size_t i = 0; i < sizeof known / sizeof known[0]; i++) {
         if (known[i].number == number) {
@@ -146,9 +146,20 @@ struct run_text run_stopped_by(const struct run_result *result, const struct run
     return text;
 }
 
+struct run_text run_ended_by(const struct run_result *result, const struct run_limits *limits) {
+    struct run_text text = run_stopped_by(result, limits);
+    if (text.text[0] == '\0' && result->end == RUN_KILLED) {
+        return run_signal_name(result->number);
+    }
+    if (text.text[0] == '\0' && result->number != 0) {
+        snprintf(text.text, sizeof text.text, "exit status %d", result->number);
+    }
+    return text;
+}
+
 /* ---- Time ---- */
 
-static double now(void) {
+double run_now(void) {
     struct timespec t;
     clock_gettime(CLOCK_MONOTONIC, &t);
     return (double)t.tv_sec + (double)t.tv_nsec / 1e9;
@@ -424,7 +435,7 @@ static void wait_a_tick(int *pipe_end, struct bytes *messages) {
 
 /* Read until nobody is left who could say more: what a container holds ends after the container. */
 static void wait_for_silence(int *pipe_end, struct bytes *messages) {
-    for (double end = now() + seconds_to_clean_up; *pipe_end >= 0 && now() < end;) {
+    for (double end = run_now() + seconds_to_clean_up; *pipe_end >= 0 && run_now() < end;) {
         wait_a_tick(pipe_end, messages);
     }
 }
@@ -476,9 +487,9 @@ static enum run_end judge_use(const struct run_command *command, pid_t id) {
 /* Wait until the program ends or must be stopped. */
 static enum run_end watch(const struct run_command *command, pid_t id, int *pipe_end,
                           struct bytes *messages) {
-    double start = now(), next_count = start + COUNT_MS / 1000.0;
+    double start = run_now(), next_count = start + COUNT_MS / 1000.0;
     while (!has_ended(id)) {
-        double time = now();
+        double time = run_now();
         if (run_caught_signal() != 0) {
             return RUN_INTERRUPTED;
         }
@@ -487,7 +498,7 @@ static enum run_end watch(const struct run_command *command, pid_t id, int *pipe
         }
         if (command->contained && time > next_count) {
             enum run_end end = judge_use(command, id);
-            next_count = now() + COUNT_MS / 1000.0;
+            next_count = run_now() + COUNT_MS / 1000.0;
             if (end != RUN_EXITED) {
                 return end;
             }
@@ -508,7 +519,7 @@ static void signal_group(pid_t id, int number) {
 static int end_group(pid_t id, enum run_end end) {
     if (end == RUN_OUT_OF_TIME || end == RUN_INTERRUPTED) {
         signal_group(id, SIGTERM);
-        for (double limit = now() + seconds_to_end; now() < limit && !has_ended(id);) {
+        for (double limit = run_now() + seconds_to_end; run_now() < limit && !has_ended(id);) {
             pause_ms(TICK_MS);
         }
     }

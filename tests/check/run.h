@@ -69,18 +69,21 @@ bool run(const struct run_command *command, struct run_result *result, struct er
  * submissions run. */
 struct run_limits run_program_limits(double seconds);
 
+/* Seconds since some time, by a clock that nobody sets. */
+double run_now(void);
+
 /* What made it end as it did, where that is a limit: "stopped after 10 s"; else "". */
 struct run_text {
     char text[112];
 };
 struct run_text run_stopped_by(const struct run_result *result, const struct run_limits *limits);
 
+/* The same, or the signal's name, or "exit status 1"; "" where it ended well. */
+struct run_text run_ended_by(const struct run_result *result, const struct run_limits *limits);
+
 /* The name of a signal, and what a program has done to get it: "SIGFPE, a whole number divided by
  * 0". */
-struct signal_name {
-    char text[80];
-};
-struct signal_name run_signal_name(int number);
+struct run_text run_signal_name(int number);
 
 /* Call this before any file is opened: it would become standard input, output or error of whoever
  * has called us without, and be written into. Output that was closed stays one that nobody can
@@ -109,7 +112,7 @@ struct run_directory {
 };
 bool run_directory_create(struct run_directory *directory, struct error *error);
 
-/* Remove a directory with all that a program left in it. Links are removed, not followed. */
+/* Remove a directory with everything a program left in it. Links are removed, not followed. */
 void run_directory_remove(const char *path);
 
 #endif

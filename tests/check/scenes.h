@@ -1,20 +1,6 @@
 /*
- * The table of scenes: which pictures each step draws and how strictly each is compared.
- *
- * One line a scene: `step05_zbuffer  zbuffer  5.2  4  WRONG APART COVERAGE`. First the tasks of
- * main.c that it shows, with commas between them and no blanks (in a lesson of several parts 8b.2);
- * behind a `+` what else it needs, tasks or parts: `8e.1+8b,8d.1`. Then its points, which are
- * shared out to the tasks that it shows evenly, so they must be a multiple of their number. Then
- * three or four percentages of the drawn pixels, or `exact` in their place.
- *
- * Where a task is about work that is not done, a line `work  step02_wireframe  wireframe  2.4  2
- * lines_drawn  7467` stands behind the step's scenes: with --stats the counter of that scene must
- * not be above that number, and where a second one follows not below that. A line `same
- * step05_zbuffer  zbuffer  5.2  1  shuffled,moved  0.1` names relations (relation.h) that the scene
- * must keep with what it has never drawn, but for that percentage of the drawn pixels. A line `call
- * step01_line  numbers  1.3  1` gives a point for a task whose functions give the right numbers
- * (numbers.h). '#' begins a comment. The check and the program that redraws the references read the
- * same file, tests/check/scenes.txt.
+ * The table of scenes: which pictures each step draws and how strictly each is compared, what else
+ * is judged, and the points. The head of tests/check/scenes.txt says what its lines mean.
  */
 #ifndef TESTS_CHECK_SCENES_H
 #define TESTS_CHECK_SCENES_H
@@ -55,7 +41,7 @@ bool credit_needs(const struct credit *credit, const char *task);
 /* Is it shown or needed? */
 bool credit_has(const struct credit *credit, const char *task);
 
-/* Are all that the other one shows and needs? */
+/* Does it show and need everything that the other one does? */
 bool credit_covers(const struct credit *credit, const struct credit *other);
 
 struct checked_scene {

@@ -16,13 +16,8 @@ struct seen_map {
 
 static const struct seen_map same_place = {.x_by_x = 1, .y_by_y = 1, .channels = {0, 1, 2}};
 
-static bool is_drawn(struct color c) {
-    return c.r != 0 || c.g != 0 || c.b != 0;
-}
-
 static bool agree(struct color a, struct color b) {
-    return abs(a.r - b.r) <= COMPARE_LEVELS && abs(a.g - b.g) <= COMPARE_LEVELS &&
-           abs(a.b - b.b) <= COMPARE_LEVELS;
+    return color_distance(a, b) <= COMPARE_LEVELS;
 }
 
 static struct color mapped_color(const struct image *yours, const struct seen_map *map, int x,
@@ -54,7 +49,7 @@ static struct seen_count count_apart(const struct image *reference, const struct
             for (int i = 0; i < 9 && !found && near > 0; i++) {
                 found = agree(right, mapped_color(yours, map, x + i % 3 - 1, y + i / 3 - 1));
             }
-            count.drawn += is_drawn(right) || is_drawn(is);
+            count.drawn += !color_is_black(right) || !color_is_black(is);
             count.apart += !found;
         }
     }
@@ -77,10 +72,10 @@ static bool is_one_color(const struct image *image, struct color *color) {
     for (int y = 0; y < (int)image->height; y++) {
         for (int x = 0; x < (int)image->width; x++) {
             struct color c = image_get(image, x, y);
-            if (is_drawn(c) && !any) {
+            if (!color_is_black(c) && !any) {
                 *color = c;
                 any = true;
-            } else if (is_drawn(c) && (c.r != color->r || c.g != color->g || c.b != color->b)) {
+            } else if (!color_is_black(c) && color_distance(c, *color) > 0) {
                 return false;
             }
         }
@@ -88,29 +83,28 @@ static bool is_one_color(const struct image *image, struct color *color) {
     return any;
 }
 
+/* Turned, mirrored, or with channels exchanged. */
 static const char *find_turn(const struct image *reference, const struct image *yours) {
     const double right = (double)reference->width - 1, top = (double)reference->height - 1;
     const bool is_square = reference->width == reference->height;
     const struct {
         const char *text;
-        double from_x, from_y, x_by_x, x_by_y, y_by_x, y_by_y;
+        struct seen_map map;
     } turns[] = {
-        {"mirrored: left and right are exchanged", right, 0, -1, 0, 0, 1},
-        {"upside down", 0, top, 1, 0, 0, -1},
-        {"turned by half a turn", right, top, -1, 0, 0, -1},
-        {"x and y are exchanged", 0, 0, 0, 1, 1, 0},
-        {"turned by a quarter to the left", right, 0, 0, -1, 1, 0},
-        {"turned by a quarter to the right", 0, top, 0, 1, -1, 0},
+        {"mirrored: left and right are exchanged", {right, 0, -1, 0, 0, 1, {0, 1, 2}}},
+        {"upside down", {0, top, 1, 0, 0, -1, {0, 1, 2}}},
+        {"turned by half a turn", {right, top, -1, 0, 0, -1, {0, 1, 2}}},
+        {"x and y are exchanged", {0, 0, 0, 1, 1, 0, {0, 1, 2}}},
+        {"turned by a quarter to the left", {right, 0, 0, -1, 1, 0, {0, 1, 2}}},
+        {"turned by a quarter to the right", {0, top, 0, 1, -1, 0, {0, 1, 2}}},
+        {"red and blue are exchanged", {0, 0, 1, 0, 0, 1, {2, 1, 0}}},
+        {"red and green are exchanged", {0, 0, 1, 0, 0, 1, {1, 0, 2}}},
+        {"green and blue are exchanged", {0, 0, 1, 0, 0, 1, {0, 2, 1}}},
     };
+    enum { IN_PLACE = 6, FOR_SQUARES = 3 }; /* where the last kinds begin */
     for (size_t i = 0; i < sizeof turns / sizeof turns[0]; i++) {
-        struct seen_map map = same_place;
-        map.from_x = turns[i].from_x;
-        map.from_y = turns[i].from_y;
-        map.x_by_x = turns[i].x_by_x;
-        map.x_by_y = turns[i].x_by_y;
-        map.y_by_x = turns[i].y_by_x;
-        map.y_by_y = turns[i].y_by_y;
-        if ((i < 3 || is_square) && is_map(reference, yours, &map, 1)) {
+        bool fits = is_square || i < FOR_SQUARES || i >= IN_PLACE;
+        if (fits && is_map(reference, yours, &turns[i].map, i < IN_PLACE)) {
             return turns[i].text;
         }
     }
@@ -126,7 +120,7 @@ static struct box find_box(const struct image *image) {
     struct box box = {(int)image->width, (int)image->height, -1, -1};
     for (int y = 0; y < (int)image->height; y++) {
         for (int x = 0; x < (int)image->width; x++) {
-            if (is_drawn(image_get(image, x, y))) {
+            if (!color_is_black(image_get(image, x, y))) {
                 box.left = x < box.left ? x : box.left;
                 box.right = x > box.right ? x : box.right;
                 box.bottom = y < box.bottom ? y : box.bottom;
@@ -142,8 +136,10 @@ static struct seen_text find_place(const struct image *reference, const struct i
     const struct box right = find_box(reference), box = find_box(yours);
     struct seen_text seen = {""};
     struct seen_map map = same_place;
-    map.from_x = box.left - right.left;
-    map.from_y = box.bottom - right.bottom;
+    /* A side may have been cut off at the border: then the other one tells. */
+    map.from_x = right.left > 0 && box.left > 0 ? box.left - right.left : box.right - right.right;
+    map.from_y =
+        right.bottom > 0 && box.bottom > 0 ? box.bottom - right.bottom : box.top - right.top;
     if ((map.from_x != 0 || map.from_y != 0) && is_map(reference, yours, &map, 0)) {
         snprintf(seen.text, sizeof seen.text, "moved by (%g,%g)", map.from_x, map.from_y);
         return seen;
@@ -162,27 +158,6 @@ static struct seen_text find_place(const struct image *reference, const struct i
                  map.x_by_x, map.y_by_y);
     }
     return seen;
-}
-
-static const char *find_channels(const struct image *reference, const struct image *yours) {
-    static const struct {
-        const char *text;
-        int channels[3];
-    } orders[] = {
-        {"red and blue are exchanged", {2, 1, 0}},
-        {"red and green are exchanged", {1, 0, 2}},
-        {"green and blue are exchanged", {0, 2, 1}},
-    };
-    for (size_t i = 0; i < sizeof orders / sizeof orders[0]; i++) {
-        struct seen_map map = same_place;
-        for (int k = 0; k < 3; k++) {
-            map.channels[k] = orders[i].channels[k];
-        }
-        if (is_map(reference, yours, &map, 0)) {
-            return orders[i].text;
-        }
-    }
-    return NULL;
 }
 
 /* Pixels drawn in the reference, in it alone, in yours alone; and of those in both how many have
@@ -205,10 +180,10 @@ static struct parts find_parts(const struct image *reference, const struct image
     for (int y = 0; y < (int)reference->height; y++) {
         for (int x = 0; x < (int)reference->width; x++) {
             struct color right = image_get(reference, x, y), is = image_get(yours, x, y);
-            parts.drawn += is_drawn(right);
-            parts.missing += is_drawn(right) && !is_drawn(is);
-            parts.extra += is_drawn(is) && !is_drawn(right);
-            if (is_drawn(is) && is_drawn(right) && !agree(right, is)) {
+            parts.drawn += !color_is_black(right);
+            parts.missing += !color_is_black(right) && color_is_black(is);
+            parts.extra += !color_is_black(is) && color_is_black(right);
+            if (!color_is_black(is) && !color_is_black(right) && !agree(right, is)) {
                 add_color(&parts, right, is);
             }
         }
@@ -228,20 +203,25 @@ static struct seen_text describe_colors(const struct parts *parts) {
     return seen;
 }
 
-/* What is missing, where all else is right; what is too much; which colours are wrong; or how many
+/* What is said of the rest, of which few pixels may be wrong. */
+static const char *of_the_rest(size_t wrong) {
+    return wrong == 0 ? "the rest is right" : "nearly all the rest is right";
+}
+
+/* What is missing, where the rest is right; what is too much; which colours are wrong; or how many
  * pixels are each of these. */
 static struct seen_text find_part(const struct image *reference, const struct image *yours) {
     const struct parts parts = find_parts(reference, yours);
     const size_t kept = parts.drawn - parts.missing, wrong = parts.extra + parts.other;
     struct seen_text seen = {""};
     if (TRUE_SHARE * parts.missing > parts.drawn && TRUE_SHARE * wrong <= kept) {
-        snprintf(seen.text, sizeof seen.text, "%zu %% of the picture is missing, the rest is right",
-                 parts.missing * 100 / parts.drawn);
+        snprintf(seen.text, sizeof seen.text, "%zu %% of the picture is missing, %s",
+                 parts.missing * 100 / parts.drawn, of_the_rest(wrong));
     } else if (TRUE_SHARE * parts.extra > parts.drawn &&
                TRUE_SHARE * (parts.missing + parts.other) <= parts.drawn) {
-        snprintf(seen.text, sizeof seen.text,
-                 "%zu %% of what you draw should not be there, the rest is right",
-                 parts.extra * 100 / (kept + parts.extra));
+        snprintf(seen.text, sizeof seen.text, "%zu %% of what you draw should not be there, %s",
+                 parts.extra * 100 / (kept + parts.extra),
+                 of_the_rest(parts.missing + parts.other));
     } else if (parts.other > 0 && TRUE_SHARE * (parts.missing + parts.extra) <= parts.other) {
         seen = describe_colors(&parts);
     } else if (parts.missing + wrong > 0) {
@@ -263,13 +243,11 @@ struct seen_text seen_find(const struct image *reference, const struct image *yo
                  one.g, one.b);
         return seen;
     }
-    const char *text = find_turn(reference, yours);
-    if (text == NULL) {
+    const char *turn = find_turn(reference, yours);
+    if (turn != NULL) {
+        snprintf(seen.text, sizeof seen.text, "%s", turn);
+    } else {
         seen = find_place(reference, yours);
-        text = seen.text[0] == '\0' ? find_channels(reference, yours) : NULL;
-    }
-    if (text != NULL) {
-        snprintf(seen.text, sizeof seen.text, "%s", text);
     }
     return seen.text[0] != '\0' ? seen : find_part(reference, yours);
 }

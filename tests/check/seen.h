@@ -13,7 +13,7 @@ struct seen_text {
 
 /* Compare yours with a reference of the same size that isn't blank. What is said is true of all but
  * a twentieth of the drawn pixels; the first that is true counts: nothing is drawn; one colour;
- * mirrored or turned; moved; larger or smaller; channels exchanged; only a part of it is there; too
+ * mirrored or turned; channels exchanged; moved; larger or smaller; only a part of it is there; too
  * much is; it is too dark, too light, or in other colours; how many pixels are wrong, and how. */
 struct seen_text seen_find(const struct image *reference, const struct image *yours);
 

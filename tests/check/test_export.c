@@ -8,9 +8,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-typedef bool exporter(struct bytes *report, const struct check_result *result,
-                      const char *references, struct error *error);
-
 /* A step with one picture, of which everything is said in the same words. */
 struct fixture {
     struct credit credit;
@@ -32,7 +29,11 @@ static void set_up(struct fixture *f, enum result_state state, const char *text)
                  .tasks = &f->task,
                  .task_count = 1,
                  .most = 4},
-        .result = {.steps = &f->step, .step_count = 1, .failed = 1, .most = 4},
+        .result = {.steps = &f->step,
+                   .step_count = 1,
+                   .failed = 1,
+                   .most = 4,
+                   .references = "tests/none"},
     };
     result_say(&f->item.message, "%s", text);
     result_say(&f->item.looks, "%s", text);
@@ -41,15 +42,15 @@ static void set_up(struct fixture *f, enum result_state state, const char *text)
 }
 
 /* The report, which the caller frees. */
-static char *report_of(exporter *export, const struct fixture *f) {
+static char *report_of(export_function *export, const struct fixture *f) {
     struct bytes report = {.data = NULL};
     struct error error;
-    CHECK(export(&report, &f->result, "tests/none", &error) && bytes_append(&report, "", 1));
+    CHECK(export(&report, &f->result, &error) && bytes_append(&report, "", 1));
     return (char *)report.data;
 }
 
 /* Does the report hold `before`, the text, `after`? */
-static void check_report(exporter *export, const struct fixture *f, const char *before,
+static void check_report(export_function *export, const struct fixture *f, const char *before,
                          const char *text, const char *after) {
     char *report = report_of(export, f), *wanted = string_format("%s%s%s", before, text, after);
     if (wanted != NULL) {
@@ -98,6 +99,17 @@ static void test_hostile_texts(void) {
     }
 }
 
+/* What is seen of a picture that looks like no mistake. */
+static void test_seen(void) {
+    struct fixture f;
+    set_up(&f, RESULT_FAIL, "");
+    snprintf(f.item.seen.text, sizeof f.item.seen.text, "upside down");
+    check_report(export_json, &f, ", \"seen\": \"", "upside down", "\"}");
+    check_report(export_html, &f, "<aside class=looks><p>", "upside down",
+                 "; make hint STEP=05 TASK=5.2</p>");
+    bytes_free(&f.step.messages);
+}
+
 /* The figures that show what it looks like. */
 static void test_figures(void) {
     struct fixture f;
@@ -140,7 +152,7 @@ static size_t count_of(const char *text, const char *wanted) {
 static void test_long_texts(void) {
     enum { LENGTH = 1 << 16 };
     static const struct {
-        exporter *export;
+        export_function *export;
         const char *escaped;
     } cases[] = {
         {export_junit, "&lt;&#39;\n"}, {export_html, "&lt;&#39;\n"}, {export_json, "<'\\n"}};
@@ -161,4 +173,5 @@ static void test_long_texts(void) {
     bytes_free(&text);
 }
 
-UNIT_MAIN(TEST(test_hostile_texts), TEST(test_figures), TEST(test_counters), TEST(test_long_texts))
+UNIT_MAIN(TEST(test_hostile_texts), TEST(test_seen), TEST(test_figures), TEST(test_counters),
+          TEST(test_long_texts))

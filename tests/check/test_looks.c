@@ -67,13 +67,17 @@ static void tear_down(struct fixture *f) {
     looks_free(&f->looks);
 }
 
+/* Pixel number i of yours. */
+static void put(struct fixture *f, size_t i, struct color color) {
+    struct place place = place_of(i);
+    image_set(&f->yours, (int)place.x, (int)place.y, color);
+}
+
 /* Draw that row, with `other` of its wrong pixels in another colour. */
 static void draw(struct fixture *f, size_t row, size_t other) {
     image_clear(&f->yours, color_grey(50));
     for (size_t i = 0; i < PLACES; i++) {
-        struct place place = place_of(i);
-        image_set(&f->yours, (int)place.x, (int)place.y,
-                  i < other ? color_grey(255) : color_of(row, i));
+        put(f, i, i < other ? color_grey(255) : color_of(row, i));
     }
 }
 
@@ -121,9 +125,8 @@ static void test_doubt(void) {
     struct fixture f;
     set_up(&f);
     draw(&f, 2, 0);
-    for (int i = 0; i < 2; i++) { /* two of the forty pixels in which the second differs */
-        struct place place = place_of((size_t)i);
-        image_set(&f.yours, (int)place.x, (int)place.y, color_of(3, (size_t)i));
+    for (size_t i = 0; i < 2; i++) { /* two of the forty pixels in which the second differs */
+        put(&f, i, color_of(3, i));
     }
     CHECK(find(&f, 1000) == 2);
     for (size_t i = 2; i < 40; i++) { /* now the two differ in two only */
@@ -133,8 +136,7 @@ static void test_doubt(void) {
     f.looks.list[1].row = 0; /* one of which nothing is told is still nearer */
     CHECK(find(&f, 1000) == 0);
     f.looks.list[1].row = 3;
-    struct place place = place_of(1);
-    image_set(&f.yours, (int)place.x, (int)place.y, color_of(2, 1));
+    put(&f, 1, color_of(2, 1));
     CHECK(find(&f, 1000) == 0);
     tear_down(&f);
 }
@@ -151,8 +153,7 @@ static void test_near(void) {
     image_clear(&f.yours, color_grey(49));
     CHECK(find(&f, 0) == 0); /* too dark elsewhere, too */
     for (size_t i = 0; i < PLACES; i++) {
-        struct place place = place_of(i);
-        image_set(&f.yours, (int)place.x, (int)place.y, color_grey(i < 64 ? 49 : 50));
+        put(&f, i, color_grey(i < 64 ? 49 : 50));
     }
     CHECK(find(&f, 0) == 2);
     CHECK(find(&f, 1000) == 0); /* something is apart that is not seen here */
@@ -171,8 +172,7 @@ static void test_small_pictures(void) {
     }
     image_clear(&f.yours, color_grey(50));
     for (size_t i = 0; i < 5; i++) {
-        struct place place = place_of(i);
-        image_set(&f.yours, (int)place.x, (int)place.y, color_of(4, i));
+        put(&f, i, color_of(4, i));
     }
     CHECK(find(&f, 1000) == 4);
     CHECK(find(&f, 1001) == 0);
@@ -185,9 +185,8 @@ static void test_black(void) {
     set_up(&f);
     draw(&f, 4, 0);
     for (size_t i = 0; i < 64; i++) {
-        struct place place = place_of(i);
         image_set(&f.looks.pixels, (int)i, 4, color_grey(i < 2 ? 200 : 0));
-        image_set(&f.yours, (int)place.x, (int)place.y, color_grey(0));
+        put(&f, i, color_grey(0));
     }
     CHECK(find(&f, 1000) == 0);
     image_clear(&f.yours, color_grey(0));

@@ -9,7 +9,7 @@ mkdir -p "$work/course" && cp -R Makefile common step01_line tests "$work/course
 main=step01_line/main.c
 cp "$main" "$work/solution.c"
 
-# checked STATUS OLD NEW: lesson 1 with the line of 1.3 that holds OLD in place of it.
+# checked STATUS OLD NEW: lesson 1 with the line of 1.3 that holds OLD instead of it.
 checked() {
     awk -v old="$2" -v new="$3" 'index($0, old) { print new; next } { print }' "$work/solution.c" >"$main"
     said_by "$1" make -s check STEP=01 MARCH= CFLAGS=-O1 CHECK_TIMEOUT=4

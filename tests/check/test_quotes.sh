@@ -1,6 +1,6 @@
 #!/bin/sh
 # Do the lessons quote what is there? Every ```c block of a lesson's texts has 12 lines at most,
-# and stands word for word (but for white space at the beginning of lines) in one file of the
+# and is word for word (except for white space at the beginning of lines) in one file of the
 # lesson's directory, or in one header of common. A line `...` stands for lines left out. main.c is
 # quoted without its marks, as solution or as starter.
 . "$(dirname "$0")/../unit/script.sh"

@@ -3,10 +3,8 @@
 #include "unseen.h"
 #include "base/file.h"
 
-#include <errno.h>
 #include <stdio.h>
 #include <string.h>
-#include <unistd.h>
 
 bool unseen_begin(struct unseen_place *place, struct error *error) {
     if (!run_directory_create(&place->whole, error)) {
@@ -23,17 +21,6 @@ bool unseen_begin(struct unseen_place *place, struct error *error) {
 
 void unseen_end(const struct unseen_place *place) {
     run_directory_remove(place->whole.path);
-}
-
-bool unseen_program(char path[DRAWN_PATH_LIMIT], const char *programs, const char *step,
-                    struct error *error) {
-    char here[DRAWN_PATH_LIMIT] = "";
-    if (programs[0] != '/' && getcwd(here, sizeof here) == NULL) {
-        return error_set(error, "the current directory has no name: %s", strerror(errno));
-    }
-    int length = snprintf(path, DRAWN_PATH_LIMIT, "%s%s%s/%s", here, here[0] != '\0' ? "/" : "",
-                          programs, step);
-    return length < DRAWN_PATH_LIMIT || error_set(error, "%.900s: name too long", programs);
 }
 
 bool unseen_draw(struct unseen_place *place, const char *program, const char *const *options,

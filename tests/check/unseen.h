@@ -11,7 +11,7 @@
 
 #include <stdbool.h>
 
-/* A directory of its own with two empty ones: where the input lies, and where the program runs and
+/* A separate directory with two empty ones: where the input lies, and where the program runs and
  * leaves its pictures. */
 struct unseen_place {
     struct run_directory whole;
@@ -19,17 +19,16 @@ struct unseen_place {
 };
 
 bool unseen_begin(struct unseen_place *place, struct error *error);
-void unseen_end(const struct unseen_place *place);
 
-/* The name of the step's program under `programs`, absolute, since it runs elsewhere. */
-bool unseen_program(char path[DRAWN_PATH_LIMIT], const char *programs, const char *step,
-                    struct error *error);
+/* Remove it; one that is all zero is none. */
+void unseen_end(const struct unseen_place *place);
 
 enum { UNSEEN_OPTION_LIMIT = 24 };
 
 /* Write the input into the place and let the program draw it: `PROGRAM -o PICTURES OPTIONS INPUT`,
- * contained and limited as run.h says. `options` ends with NULL; UNSEEN_OPTION_LIMIT at most. The
- * pictures of the last drawing are gone. The caller frees result->messages. */
+ * contained and limited as run.h says; PROGRAM is absolute. `options` ends with NULL;
+ * UNSEEN_OPTION_LIMIT at most. The pictures of the last drawing are gone. The caller frees
+ * result->messages. */
 bool unseen_draw(struct unseen_place *place, const char *program, const char *const *options,
                  enum input_kind kind, uint64_t seed, const struct variant *variant,
                  const struct run_limits *limits, struct run_result *result, struct error *error);

@@ -10,7 +10,7 @@
 struct verdict {
     bool passes;
     enum compare_pixels pixels; /* that count as wrong */
-    const struct tally *tally;  /* of those; where it passes, of all that differ */
+    const struct tally *tally;  /* of those; where it passes, of everything that differs */
     unsigned limit;             /* that is broken, as in the table of scenes; 0 for an exact one */
     const char *what;           /* "wrong", ...: what broke it; NULL for an exact scene, and for
                                  * one that is too light or too dark as a whole */

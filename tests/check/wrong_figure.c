@@ -30,15 +30,8 @@ bool figure_area_read(struct figure_area *area, const char *text, struct error *
            error_set(error, "not a part of a picture, as 60x40+10+20: %.100s", text);
 }
 
-/* How far apart two colours are. */
-static int distance(struct color a, struct color b) {
-    int red = abs(a.r - b.r), green = abs(a.g - b.g), blue = abs(a.b - b.b);
-    int most = red > green ? red : green;
-    return most > blue ? most : blue;
-}
-
 static bool is_apart(const struct image *reference, const struct image *wrong, size_t x, size_t y) {
-    return distance(image_get(reference, (int)x, (int)y), image_get(wrong, (int)x, (int)y)) >
+    return color_distance(image_get(reference, (int)x, (int)y), image_get(wrong, (int)x, (int)y)) >
            COMPARE_LEVELS;
 }
 
@@ -96,7 +89,7 @@ static bool is_black(const struct image *picture, struct figure_area area) {
     const struct color black = {.a = 255};
     for (size_t y = area.y; y < area.y + area.height; y++) {
         for (size_t x = area.x; x < area.x + area.width; x++) {
-            if (distance(image_get(picture, (int)x, (int)y), black) > COMPARE_LEVELS) {
+            if (color_distance(image_get(picture, (int)x, (int)y), black) > COMPARE_LEVELS) {
                 return false;
             }
         }
@@ -159,14 +152,14 @@ struct block {
 };
 
 static void add_pixel(struct block *block, struct color color, struct color other) {
-    int far = distance(color, other);
+    int far = color_distance(color, other);
     block->red += (unsigned)color.r * color.r;
     block->green += (unsigned)color.g * color.g;
     block->blue += (unsigned)color.b * color.b;
     if (block->count++ == 0) {
         *block = (struct block){block->red, block->green, block->blue, 1, color, color, 0, far};
     }
-    int contrast = distance(color, block->first);
+    int contrast = color_distance(color, block->first);
     block->contrast = contrast > block->contrast ? contrast : block->contrast;
     if (far > block->distance) {
         block->distance = far;
@@ -210,7 +203,7 @@ static struct color find_color(const struct image *picture, const struct image *
     struct block block = block_of(picture, other, s, x, y);
     struct block there = block_of(other, picture, s, x, y);
     struct color color = mean_of(&block);
-    bool is_lost = distance(color, mean_of(&there)) * 2 < block.distance;
+    bool is_lost = color_distance(color, mean_of(&there)) * 2 < block.distance;
     bool is_plain = there.contrast * 2 < block.distance;
     return is_lost && is_plain ? block.farthest : color;
 }

@@ -26,8 +26,8 @@ struct figure_area {
 bool figure_area_read(struct figure_area *area, const char *text, struct error *error);
 
 /* `figure` becomes the picture of a part of both, which the caller frees. A part that is to be
- * found is the one around all that is apart (compare.h), or the whole, where that is not much
- * larger. What is larger than WRONG_FIGURE_SIDE is made smaller: n x n pixels become one, with the
+ * found is the one around what is apart (compare.h), or the whole, where that is not much larger.
+ * What is larger than WRONG_FIGURE_SIDE is made smaller: n x n pixels become one, with the
  * mean of their light; but what is thin and in one of the two only keeps its colour, where the
  * other is plain. What is small is enlarged: each pixel becomes a square.
  *

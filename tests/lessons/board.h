@@ -1,6 +1,7 @@
 /*
- * For tests of maps in tangent space: a board that looks along z, with u along x and v along y.
- * There both spaces are one. It can be turned, with the camera and the light of a drawing.
+ * For tests of maps in tangent space: on a board that looks along z, with u along x and v along y,
+ * both spaces are one: the shaders for maps in tangent space draw what those of the lesson draw. On
+ * a board that was turned they draw what it was before, in a light that was turned with it.
  */
 #ifndef TESTS_BOARD_H
 #define TESTS_BOARD_H
@@ -53,7 +54,7 @@ static inline void turn_board(struct drawing *drawing, const int turns[3]) {
     drawing->light = vec3_quarter_turned(drawing->light, turns);
 }
 
-/* Is it the same picture, but for rounding, and one that shows something? */
+/* Is it the same picture, except for rounding, and one that shows something? */
 static inline bool nearly_same(const struct image *a, const struct image *b) {
     size_t wrong = 0, seen = 0;
     for (size_t i = 0; i < (size_t)BOARD_SIZE * BOARD_SIZE * 3; i++) {
@@ -61,6 +62,37 @@ static inline bool nearly_same(const struct image *a, const struct image *b) {
         seen += b->pixels[i] > 20;
     }
     return wrong == 0 && seen > 500;
+}
+
+/* The picture of a lesson in one of several ways. */
+typedef struct image draw_board(struct drawing drawing, size_t way);
+
+/* Does it draw the same in both spaces, in each way and however the board is turned? */
+static inline void check_board(draw_board *draw, size_t ways) {
+    static const int turns[][3] = {{0, 0, 0}, {1, 0, 0}, {0, 2, 0}, {1, 2, 3}};
+    struct texture diffuse = noise(1), map = noise(2), specular = noise(3);
+    for (size_t i = 0; i < ways * 4; i++) {
+        struct drawing drawing = {.model = &board,
+                                  .diffuse = &diffuse,
+                                  .normal_map = &map,
+                                  .specular = &specular,
+                                  .eye = {0.5, 0.25, 2},
+                                  .up = {0, 1, 0},
+                                  .light = {1, 0.5, 0.75},
+                                  .skip = true};
+        map.tangent_space = false;
+        lay_board((const int[3]){0, 0, 0});
+        struct image expected = draw(drawing, i / 4);
+        map.tangent_space = true;
+        turn_board(&drawing, turns[i % 4]);
+        struct image image = draw(drawing, i / 4);
+        CHECK(nearly_same(&image, &expected));
+        image_free(&image);
+        image_free(&expected);
+    }
+    texture_free(&diffuse);
+    texture_free(&map);
+    texture_free(&specular);
 }
 
 #endif

@@ -234,21 +234,6 @@ bool oracle_camera(struct vec3 eye, struct vec3 center, struct vec3 up, double z
 
 /* ---- Matrices ---- */
 
-long double oracle_inverse_residual(const struct mat4 *a, const struct mat4 *inverse) {
-    long double worst = 0;
-    for (int row = 0; row < 4; row++) {
-        for (int column = 0; column < 4; column++) {
-            long double sum = row == column ? -1.0L : 0.0L;
-            for (int k = 0; k < 4; k++) {
-                sum += (long double)a->m[row][k] * (long double)inverse->m[k][column];
-            }
-            sum = sum < 0 ? -sum : sum;
-            worst = sum > worst ? sum : worst;
-        }
-    }
-    return worst;
-}
-
 /* The determinant of the 3x3 matrix that is left without one row and one column. */
 static int128 minor_of(const int64_t m[4][4], int skipped_row, int skipped_column) {
     int rows[3] = {0}, columns[3] = {0}, row_count = 0, column_count = 0;

@@ -83,16 +83,13 @@ struct oracle_frame {
 
 struct oracle_frame oracle_frame(struct vec3 eye, struct vec3 center, struct vec3 up);
 
-/* World to clip for a camera at eye that looks at center: x and y are `zoom` times the place beside
- * the line of sight, z is that along it, from center to eye, and w is the distance from the eye
- * along it, in units of the distance of the center. False where the frame is not certain. */
+/* World to clip for a camera at eye that looks at center: x and y are `zoom` times the distance
+ * from the line of sight, z is the place along it, from center to eye, and w the distance from the
+ * eye along it, in units of the distance of the center. False where the frame is not certain. */
 bool oracle_camera(struct vec3 eye, struct vec3 center, struct vec3 up, double zoom,
                    long double to_clip[4][4]);
 
 /* ---- Matrices ---- */
-
-/* The largest error of an inverse, |a * inverse - identity|, in long double. */
-long double oracle_inverse_residual(const struct mat4 *a, const struct mat4 *inverse);
 
 /* The exact determinant of a matrix of whole numbers of at most 2^24, by cofactors. */
 int128 oracle_determinant(const int64_t m[4][4]);

@@ -9,7 +9,6 @@
  * Exit status: 0 written, 1 a file cannot be read or written, 2 wrong usage.
  */
 #include "base/file.h"
-#include "check/compare.h"
 #include "check/page/page.h"
 #include "check/page/pictures.h"
 
@@ -17,33 +16,6 @@
 #include <stdlib.h>
 
 enum { STATUS_FAILED = 1, STATUS_USAGE = 2, BEFORE_SCENES = 3, SCENE_ARGUMENTS = 3 };
-
-struct note {
-    char text[128];
-};
-
-/* How far the pictures are apart. */
-static struct note describe(const struct pictures *pictures) {
-    const struct image *yours = &pictures->image[PICTURE_YOURS];
-    const struct image *reference = &pictures->image[PICTURE_REFERENCE];
-    struct note note;
-    if (yours->width == 0 || reference->width == 0) {
-        snprintf(note.text, sizeof note.text, "%s is not there",
-                 yours->width == 0 ? "your picture" : "the reference");
-    } else if (yours->width != reference->width || yours->height != reference->height) {
-        snprintf(note.text, sizeof note.text, "yours has %zux%zu pixels, the reference %zux%zu",
-                 yours->width, yours->height, reference->width, reference->height);
-    } else {
-        struct tally differing = compare_images(reference, yours).differing;
-        if (differing.count == 0) {
-            snprintf(note.text, sizeof note.text, "exact: all pixels are equal");
-        } else {
-            snprintf(note.text, sizeof note.text, "%llu pixels differ, the first at (%zu,%zu)",
-                     (unsigned long long)differing.count, differing.x, differing.y);
-        }
-    }
-    return note;
-}
 
 static bool add_scene(struct bytes *page, const char *step, char **argument, struct error *error) {
     struct pictures pictures;
@@ -54,9 +26,9 @@ static bool add_scene(struct bytes *page, const char *step, char **argument, str
     if (!done) {
         return false;
     }
-    struct note note = describe(&pictures);
+    const struct picture_words words = pictures_describe(&pictures);
     const struct page_scene scene = {
-        .name = argument[0], .note = note.text, .level = 2, .pictures = &pictures};
+        .name = argument[0], .note = words.text, .level = 2, .pictures = &pictures};
     done = page_scene(page, &scene, error);
     pictures_free(&pictures);
     return done;

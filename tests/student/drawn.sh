@@ -4,7 +4,7 @@
 # The size of the terminal: what it says itself, else what the shell knows.
 find_size() {
     size=$(stty size 2>/dev/null </dev/tty)
-    case $size in *[1-9]' '*[1-9]* | *[1-9]' '*0) ;; *) size="${LINES:-24} ${COLUMNS:-80}" ;; esac
+    case $size in [1-9]*' '[1-9]*) ;; *) size="${LINES:-24} ${COLUMNS:-80}" ;; esac
     lines=${size% *}
     columns=${size#* }
 }

@@ -5,8 +5,8 @@
 #     hint.sh BUILD STEP [TASK] [AGAIN] [MAKE]     STEP is 5, 05 or step05_zbuffer; TASK is 5.2
 #
 # Which one is wrong says the check, which MAKE builds, and the lesson. A task is to
-# do while main.c holds the starter's line `to do 5.2`. When another one is meant, TASK says which. With AGAIN (any word) all that was shown is shown again. What was shown is
-# kept in BUILD/hints. The hints stand in the lesson's hints.txt (hints.awk says how).
+# do while main.c holds the starter's line `to do 5.2`. When another one is meant, TASK says which. With AGAIN (any word) everything that was shown is shown again. What was shown is
+# kept in BUILD/hints. The hints are in the lesson's hints.txt (hints.awk says how).
 #
 # Exit status: 0 done; 1 there are no hints; 2 wrong usage.
 

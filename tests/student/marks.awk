@@ -9,7 +9,7 @@
 # In a lesson of several parts the number names the part, too: 8b.2 is the second task of part b.
 # Where the starter has nothing in its place, /* END SOLUTION */ follows the solution. Marks stand
 # alone on their lines. A task may have several such regions. What clang-format lines up (includes,
-# comments behind fields) stands in a region as a whole, or all of it outside.
+# comments behind fields) is in a region as a whole, or all of it outside.
 #
 #     awk -v mode=MODE -f marks.awk step05_zbuffer/main.c
 #

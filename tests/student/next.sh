@@ -4,7 +4,7 @@
 #     next.sh BUILD               after `make`: the head to which the course leads
 #     next.sh BUILD LESSON        when step05_zbuffer is right: its picture, which is the reference
 #
-# What one can do after a lesson stands in the map of README.md. Exit status 0.
+# What one can do after a lesson is in the map of README.md. Exit status 0.
 
 cd "$(dirname "$0")/../.." || exit 1
 build=$1

@@ -39,7 +39,8 @@ enum {
 struct options {
     size_t columns, lines; /* of the terminal */
     const char *step, *scene;
-    const char *which; /* names with commas between them, or "" */
+    bool is_chosen;             /* by WHICH: */
+    bool wanted[PICTURE_COUNT]; /* these */
     enum terminal_kind kind;
     const char *yours, *reference;
 };
@@ -68,45 +69,35 @@ static bool parse_kind(const char *text, enum terminal_kind *kind) {
     return false;
 }
 
-/* Is the name one of the list, which has commas between its names? */
-static bool is_listed(const char *list, const char *name) {
-    size_t length = strlen(name);
+/* Names with commas between them. */
+static bool parse_which(const char *list, struct options *options) {
     for (const char *at = list; at != NULL; at = strchr(at, ',')) {
+        int picture = 0;
         at += *at == ',';
-        if (strncmp(at, name, length) == 0 && (at[length] == ',' || at[length] == '\0')) {
-            return true;
+        size_t length = strcspn(at, ",");
+        while (picture < PICTURE_COUNT && (strlen(picture_names[picture]) != length ||
+                                           strncmp(at, picture_names[picture], length) != 0)) {
+            picture++;
         }
+        if (picture == PICTURE_COUNT) {
+            return false;
+        }
+        options->wanted[picture] = options->is_chosen = true;
     }
-    return false;
-}
-
-/* Are all names of the list known ones? */
-static bool are_pictures(const char *list) {
-    size_t commas = 0, known = 0;
-    for (const char *at = list; *at != '\0'; at++) {
-        commas += *at == ',';
-    }
-    for (int i = 0; i < PICTURE_COUNT; i++) {
-        known += is_listed(list, picture_names[i]);
-    }
-    return known == commas + 1;
+    return true;
 }
 
 static bool parse_arguments(int argc, char **argv, struct options *options, struct error *error) {
     if (argc != ARGUMENTS) {
         return error_set(error, "wants COLUMNS LINES STEP SCENE WHICH KIND YOURS REFERENCE");
     }
-    *options = (struct options){.step = argv[3],
-                                .scene = argv[4],
-                                .which = argv[5],
-                                .yours = argv[7],
-                                .reference = argv[8]};
+    *options =
+        (struct options){.step = argv[3], .scene = argv[4], .yours = argv[7], .reference = argv[8]};
     if (!parse_size(argv[1], &options->columns) || !parse_size(argv[2], &options->lines)) {
         return error_set(error, "no terminal has %.40s columns and %.40s lines", argv[1], argv[2]);
     }
-    if (options->which[0] != '\0' && !are_pictures(options->which)) {
-        return error_set(error, "WHICH=%.40s is none of yours,reference,difference",
-                         options->which);
+    if (argv[5][0] != '\0' && !parse_which(argv[5], options)) {
+        return error_set(error, "WHICH=%.40s is none of yours,reference,difference", argv[5]);
     }
     return parse_kind(argv[6], &options->kind) ||
            error_set(error, "KIND=%.40s is none of blocks, sixel, kitty", argv[6]);
@@ -149,7 +140,8 @@ static bool fit(struct image *fitted, const struct image *image, struct room roo
         width = image->width * room.height / image->height;
         height = room.height;
     }
-    return picture_shrink(fitted, image, width > 0 ? width : 1, height > 0 ? height : 1, error);
+    return picture_shrink(fitted, image, NULL, width > 0 ? width : 1, height > 0 ? height : 1,
+                          error);
 }
 
 /* ---- Pictures side by side ---- */
@@ -217,8 +209,8 @@ static bool is_chosen(const struct options *options, const struct pictures *pict
     if (picture == PICTURE_DIFFERENCE && !differs) {
         return false;
     }
-    if (options->which[0] != '\0') {
-        return is_listed(options->which, picture_names[picture]);
+    if (options->is_chosen) {
+        return options->wanted[picture];
     }
     return picture != PICTURE_REFERENCE || !differs || fitting(options) >= PICTURE_COUNT;
 }
@@ -236,30 +228,19 @@ static int part_begin(int pixel, size_t length, size_t size) {
 static bool wants_part(const struct pictures *pictures, const struct options *options,
                        struct room room) {
     const struct image *yours = &pictures->image[PICTURE_YOURS];
-    return pictures->fails && options->which[0] == '\0' && pictures->same_size &&
+    return pictures->fails && !options->is_chosen && pictures->same_size &&
            pictures->differing < room.width * room.height &&
            (yours->width > room.width || yours->height > room.height);
 }
 
 /* ---- The scene ---- */
 
-/* "step05_zbuffer depth: 214 pixels differ". */
+/* "step05_zbuffer depth: 214 pixels differ ..."; with one picture alone nothing is said of it. */
 static bool put_title(struct bytes *out, const struct pictures *pictures,
                       const struct options *options) {
-    const struct image *yours = &pictures->image[PICTURE_YOURS];
-    const struct image *reference = &pictures->image[PICTURE_REFERENCE];
-    bool done = bytes_print(out, "%s %s", options->step, options->scene);
-    if (is_exact(pictures)) {
-        done = done && bytes_print(out, ": exact");
-    } else if (pictures->same_size) {
-        done = done && bytes_print(out, ": %llu pixel%s%s", (unsigned long long)pictures->differing,
-                                   pictures->differing == 1 ? " differs" : "s differ",
-                                   pictures->fails ? "" : ", and it passes");
-    } else if (pictures->image[PICTURE_DIFFERENCE].width > 0) {
-        done = done && bytes_print(out, ": %zux%zu pixels, not %zux%zu", yours->width,
-                                   yours->height, reference->width, reference->height);
-    }
-    return done && bytes_print(out, "\n");
+    bool both = pictures->image[PICTURE_DIFFERENCE].width > 0;
+    return bytes_print(out, "%s %s%s%s\n", options->step, options->scene, both ? ": " : "",
+                       both ? pictures_describe(pictures).text : "");
 }
 
 /* What is not seen of them, and how to see it. */
@@ -293,7 +274,7 @@ static bool show_chosen(struct bytes *out, const struct pictures *pictures, cons
         done = show_sheet(out, panels + i, names + i, smaller(beside, count - i), options->kind,
                           error);
     }
-    bool hidden = options->which[0] == '\0' && count < PICTURE_COUNT && reference->width > 0 &&
+    bool hidden = !options->is_chosen && count < PICTURE_COUNT && reference->width > 0 &&
                   chosen[count - 1] == PICTURE_DIFFERENCE;
     if (done && (part || hidden)) {
         done = put_hint(out, pictures, part ? &panels[0] : NULL, left, bottom) ||
@@ -333,7 +314,7 @@ static bool show(struct bytes *out, const struct options *options, struct error 
 }
 
 int main(int argc, char **argv) {
-    struct options options = {.step = "", .scene = "", .which = ""};
+    struct options options = {.step = "", .scene = ""};
     struct bytes out = {.data = NULL};
     struct error error;
     if (!parse_arguments(argc, argv, &options, &error)) {

@@ -5,7 +5,7 @@
 #
 # Both come out of the marked source (marks.awk): main.c itself while it has marks, then
 # main.c.marked, where it is kept when it is first replaced, else git's main.c. What main.c held is
-# kept as main.c.1, main.c.2, ... beside it, unless it is the lesson's own or kept already.
+# kept as main.c.1, main.c.2, ... next to it, unless it is the lesson's own or kept already.
 #
 # Exit status: 0 done; 1 it cannot be done, and main.c is as it was; 2 wrong usage.
 
@@ -67,7 +67,7 @@ solution) new=solution ;;
 esac
 find_lesson
 main=$lesson/main.c
-work=$lesson/.start.$$ # beside main.c, so that mv only renames
+work=$lesson/.start.$$ # next to main.c, so that mv only renames
 mkdir "$work" || fail 1 "cannot write into $lesson"
 trap 'rm -rf "$work"' EXIT
 trap 'exit 1' HUP INT TERM

@@ -1,7 +1,7 @@
 ##   make start STEP=05          turn main.c into the starter: what you write is left out
 ##   make solution STEP=05       bring the lesson's own solution back
 ##   make hint STEP=05           a hint for what is to do, and more each time (TASK=5.2)
-##   make show STEP=05           the pictures in the terminal, beside the references (SCENE=depth,
+##   make show STEP=05           the pictures in the terminal, next to the references (SCENE=depth,
 ##                               WHICH=yours,reference,difference, KIND=blocks, sixel or kitty)
 ##   make open STEP=05           the same in the browser, in one page
 ##   make live STEP=05           your program under the mouse, in the browser; each save is drawn

@@ -29,7 +29,7 @@ static const char *variable(const char *name) {
 }
 
 /* How many colours, in bits: 24, 8, 4, or 0 for none. Terminals tell by COLORTERM, Windows' own by
- * WT_SESSION; who wants none, by NO_COLOR (no-color.org). */
+ * WT_SESSION; NO_COLOR (no-color.org) asks for none. */
 static int color_bits(void) {
     static const char *const of_16[] = {"", "ansi", "linux", "screen", "xterm", "xterm-16color"};
     const char *name = variable("TERM"), *colors = variable("COLORTERM");
@@ -322,7 +322,7 @@ static void ask(int terminal, char *answer, size_t size) {
     sigset_t all, signals;
     ssize_t length = (ssize_t)strlen(question);
     if (tcgetpgrp(terminal) != getpgrp() || tcgetattr(terminal, &before) != 0) {
-        return; /* who stands in the background must not touch the terminal */
+        return; /* a program in the background must not touch the terminal */
     }
     sigfillset(&all);
     sigprocmask(SIG_BLOCK, &all, &signals);

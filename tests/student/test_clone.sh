@@ -1,6 +1,6 @@
 #!/bin/sh
 # A clone as git makes it on Windows (core.autocrlf), whose scripts nobody may start: a lesson is built
-# and checked there, and each command for students and for who teaches finds its scripts.
+# and checked there, and each command for students and teachers finds its scripts.
 . "$(dirname "$0")/../unit/script.sh"
 
 git -C "$top" rev-parse HEAD >/dev/null 2>&1 || skip "this is no checkout of git"

@@ -1,6 +1,6 @@
 #!/bin/sh
 # Does `make help` list what there is? Each `make NAME` of it is a target that the Makefile, or what
-# it includes, calls .PHONY, and each of those is listed, but for a few that are steps on the way.
+# it includes, calls .PHONY, and each of those is listed, except for a few that are steps on the way.
 # (`make mine` is one after `make new NAME=mine`.)
 . "$(dirname "$0")/../unit/script.sh"
 

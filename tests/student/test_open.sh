@@ -19,7 +19,7 @@ page=$build/pages/step01_line.html
 make_open 0 STEP=01 SCENE=pixel
 [ "$(tail -n 1 "$said")" = "$page" ] || wrong "not the page's path"
 has 1 '<title>step01_line</title>'
-has 1 'exact: all pixels are equal'
+has 1 '<p>exact</p>'
 has 3 'src="data:image/png;base64,iVBORw0KGgo'
 has 0 'http:'
 has 0 'https:'
@@ -37,9 +37,9 @@ said_by 0 "$build/compare_page" "$page" '<i>"A" & '"'b'" '<scene>' step01_line/p
     sizes step01_line/pixel.png step03_triangle/outline.png
 has 2 '&lt;i&gt;&quot;A&quot; &amp; &#39;b&#39;'
 has 1 '<h2>&lt;scene&gt;</h2>'
-has 1 'pixels differ, the first at ('
-has 1 'your picture is not there'
-has 1 'yours has 100x100 pixels, the reference 200x200'
+has 1 'pixels differ, the first wrong one at ('
+has 1 'there is no picture of yours'
+has 1 '100x100 pixels, not 200x200'
 has 7 '<figure '
 for arguments in "" "page title" "page title scene yours"; do
     # shellcheck disable=SC2086 # several words, or none

@@ -22,7 +22,7 @@ tga() {
 # show STATUS COLUMNS LINES WHICH YOURS REFERENCE: of no scene, or the one of `scene`.
 scene='step01_line none'
 show() {
-    # shellcheck disable=SC2086 # two words
+    # shellcheck disable=SC2086 # three words
     said_by "$1" "$build/show" "$2" "$3" $scene "$4" blocks "$5" "$6"
 }
 
@@ -106,8 +106,8 @@ title() { # TEXT YOURS REFERENCE
 }
 title '' white.tga none.tga
 title ': exact' white.tga white.tga
-title ': 1 pixel differs' point.tga black.tga
-title ': 100 pixels differ' white.tga grey.tga
+title ': 1 pixel differs, the first wrong one at (0,50)' point.tga black.tga
+title ': 100 pixels differ, the first wrong one at (0,0)' white.tga grey.tga
 title ': 10x10 pixels, not 200x4' white.tga wide.tga
 show 0 80 24 difference white.tga white.tga # is only said
 [ "$(cat "$said")" = 'step01_line none: exact' ] || wrong "more than that it is exact"
@@ -151,14 +151,14 @@ echo no picture >bad.tga
 show 1 80 24 '' bad.tga white.tga
 says 'bad.tga: '
 for size in '0 24' '80 x' '2001 24' '80'; do
-    # shellcheck disable=SC2086 # two words
+    # shellcheck disable=SC2086 # three words
     show 2 $size '' white.tga grey.tga
 done
 show 2 80 24 yours,mine white.tga grey.tga
 
 # ---- A program that hangs or crashes ----
 
-# In place of a lesson's program: a scene a line of `draws`, as a command that draws it or does not.
+# Instead of a lesson's program: a scene a line of `draws`, as a command that draws it or does not.
 mkdir -p course/tests/check course/step05_zbuffer course/build/models || exit 1
 cp -R "$top/tests/student" course/tests || exit 1
 cp "$build/show" course/build && cp grey.tga course && cd course || exit 1
@@ -223,5 +223,16 @@ make_show 1 STEP=01 WHICH=mine
 says 'show: WHICH=mine is none of yours,reference,difference'
 make_show 1 STEP=01 WHICH=yours KIND=paper
 says 'show: KIND=paper is none of blocks, sixel, kitty'
+
+# A terminal of 50 lines and 160 columns is filled; one that does not know its size is taken for 24 lines.
+if script -qec true /dev/null >/dev/null 2>&1; then
+    for size in '50 160 46' '0 0 22'; do
+        # shellcheck disable=SC2086 # three words
+        set -- $size
+        script -qec "stty rows $1 cols $2; sh tests/student/show.sh '$build' 5 zbuffer '' blocks" /dev/null >"$work/filled"
+        lines=$(grep -c . "$work/filled")
+        [ "$lines" -ge $((${3} - 4)) ] && [ "$lines" -le "$3" ] || wrong "$lines lines where the terminal has $1"
+    done
+fi
 
 exit $failed

@@ -14,9 +14,11 @@ says "name another directory, for example make BUILD="
 said_by 0 make -s BUILD="$work/file/build" help
 
 echo 'all check: ; @echo TMPDIR is $$TMPDIR' >"$work/room.mk"
-sed 's|^include .*|include room.mk|; s|^all:.*|build:|' Makefile >"$work/Makefile" || exit 1
+sed 's|^include $(ROOMS)|include room.mk|; s|tests/student/machine|'"$top"'/&|; s|^all:.*|build:|' Makefile >"$work/Makefile" || exit 1
 said_by 0 env TMPDIR="$work/nowhere" make -s -C "$work" check
 says "TMPDIR=$work/nowhere is no directory"
+says 'TMPDIR is /tmp'
+said_by 0 make -s -C "$work" check TMPDIR="$work/nowhere"
 says 'TMPDIR is /tmp'
 said_by 0 env TMPDIR="$work" make -s -C "$work" check
 says "TMPDIR is $work"

@@ -1,5 +1,5 @@
 ##
-## For who teaches (tests/teacher/README.md says more):
+## For teachers (tests/teacher/README.md says more):
 ##   make handout OUT=dir        what a student gets: starters, and no solution (LESSONS=1-5)
 ##   make key OUT=dir            what an instructor gets: solutions, the pictures of mistakes,
 ##                               points (LESSONS=1-5)

@@ -35,8 +35,8 @@ static inline void *exact_copy(const void *data, size_t size) {
 typedef bool image_decoder(struct image *image, const void *data, size_t size, struct error *error);
 
 /* Decode from memory of just this size. */
-static inline bool decode_exact_by(image_decoder *decode, struct image *image, const uint8_t *data,
-                                   size_t size, struct error *error) {
+static inline bool decode_exact(image_decoder *decode, struct image *image, const uint8_t *data,
+                                size_t size, struct error *error) {
     uint8_t *copy = exact_copy(data, size);
     error->message[0] = '\0';
     bool done = decode(image, copy, size, error);

@@ -1,4 +1,4 @@
-/* For tests of files: a directory of its own for a test, in which nothing may be left behind. The
+/* For tests of files: a separate directory for a test, in which nothing may be left behind. The
  * test defines _XOPEN_SOURCE as 700, for mkdtemp(). */
 #ifndef TESTS_PLACE_H
 #define TESTS_PLACE_H
@@ -42,10 +42,14 @@ static inline size_t place_count(const struct place *place) {
     return count - 2; /* "." and ".." */
 }
 
-/* The directory, and the file `name`, which is all that it still holds, or NULL. */
-static inline void place_remove(struct place *place, const char *name) {
-    if (name != NULL) {
+/* The directory, and the files that it still holds: names with commas between them, or NULL. */
+static inline void place_remove(struct place *place, const char *names) {
+    while (names != NULL) {
+        char name[64];
+        size_t length = strcspn(names, ",");
+        snprintf(name, sizeof name, "%.*s", (int)length, names);
         CHECK(unlink(name_file(place, name)) == 0);
+        names = names[length] == ',' ? names + length + 1 : NULL;
     }
     CHECK(rmdir(place->directory) == 0);
 }

@@ -200,8 +200,6 @@ static void test_level_rounding(void) {
     image_free(&image);
 }
 
-/* ---- Sampling ---- */
-
 static void test_clamp(void) {
     static const double rows[][3] = {{-0.25, 7, 0}, {0, 7, 0},        {6.75, 7, 6.75},  {7, 7, 7},
                                      {7.25, 7, 7},  {7.75, 7, 7},     {1e300, 7, 7},    {3, 0, 0},
@@ -209,74 +207,6 @@ static void test_clamp(void) {
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
         CHECK(texture_clamp(rows[i][0], rows[i][1]) == rows[i][2]);
     }
-}
-
-/* Three times three copies of a picture, side by side, as one texture. */
-static bool tile_texture(struct texture *tiled, const struct texture *texture) {
-    const struct texture_level *one = &texture->level[0];
-    struct image image = new_image(3 * one->width, 3 * one->height, IMAGE_BGRA);
-    struct error error;
-    for (size_t y = 0; y < image.height; y++) {
-        for (size_t x = 0; x < image.width; x++) {
-            image_set(&image, (int)x, (int)y,
-                      color_from_texel(texture_texel(one, x % one->width, y % one->height)));
-        }
-    }
-    bool done = texture_create(tiled, &image, &error);
-    image_free(&image);
-    return done;
-}
-
-static bool is_near(struct vec4 a, struct vec4 b) {
-    return fabs(a.x - b.x) < 1e-9 && fabs(a.y - b.y) < 1e-9 && fabs(a.z - b.z) < 1e-9 &&
-           fabs(a.w - b.w) < 1e-9;
-}
-
-/* A coordinate -1..2, on borders and centres of texels too. */
-static double any_coordinate(size_t size) {
-    int64_t halves = 2 * (int64_t)size;
-    return random_bits(&random_state) % 2 == 0
-               ? (double)random_between(&random_state, -halves, 2 * halves) / (double)halves
-               : random_real(&random_state, -1, 2);
-}
-
-/* A sample of a picture that repeats is one of the nine copies, inside: levels, too, as long as
- * sizes are even. A clamped one is the nearest place inside. */
-static void check_outside(size_t width, size_t height, size_t levels) {
-    struct texture texture, tiled;
-    if (!CHECK(random_texture(&texture, width, height, IMAGE_BGRA)) ||
-        !CHECK(tile_texture(&tiled, &texture))) {
-        return;
-    }
-    for (int i = 0; i < 2000; i++) {
-        size_t level = (size_t)i % levels;
-        double half_x = 0.5 / (double)texture.level[level].width;
-        double half_y = 0.5 / (double)texture.level[level].height;
-        struct vec2 uv = {any_coordinate(width), any_coordinate(height)};
-        struct vec2 inside = {fmax(half_x, fmin(uv.x, 1 - half_x)),
-                              fmax(half_y, fmin(uv.y, 1 - half_y))};
-        struct vec2 copied = {(uv.x + 1) / 3, (uv.y + 1) / 3};
-        texture_set_clamp(&texture, true);
-        CHECK(is_near(texture_bilinear(&texture, uv, level),
-                      texture_bilinear(&texture, inside, level)));
-        texture_set_clamp(&texture, false);
-        if (fmin(uv.x, uv.y) >= -1 + fmax(half_x, half_y) &&
-            fmax(uv.x, uv.y) <= 2 - fmax(half_x, half_y)) {
-            CHECK(is_near(texture_bilinear(&texture, uv, level),
-                          texture_bilinear(&tiled, copied, level)));
-        }
-        CHECK(is_near(texture_bilinear(&texture, uv, level),
-                      texture_bilinear(&texture, (struct vec2){uv.x + 8, uv.y - 16}, level)));
-    }
-    texture_free(&texture);
-    texture_free(&tiled);
-}
-
-static void test_outside(void) {
-    check_outside(1, 1, 1);
-    check_outside(5, 3, 1);
-    check_outside(16, 8, 3);
-    check_outside(2, 4, 2);
 }
 
 /* No image makes the first of these; the sizes come from whoever fills the struct. Of the others no
@@ -310,5 +240,4 @@ static void test_sizes(void) {
 }
 
 UNIT_MAIN(TEST(test_pitch), TEST(test_gaps), TEST(test_texels), TEST(test_level_sizes),
-          TEST(test_levels), TEST(test_level_rounding), TEST(test_clamp), TEST(test_outside),
-          TEST(test_sizes))
+          TEST(test_levels), TEST(test_level_rounding), TEST(test_clamp), TEST(test_sizes))

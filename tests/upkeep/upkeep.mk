@@ -63,7 +63,7 @@ $(filter $(BUILD)/tests/check/% $(BUILD)/tests/student/%,$(UNITS)): $(BUILD)/tes
 # LANES, and REAL where it is not float. (test_lanes-8-double has LANES=8 and REAL=double.)
 KINDS_OF_LANES = test_classify-4 test_classify-8 test_classify-16
 KINDS = $(KINDS_OF_LANES) $(KINDS_OF_LANES:test_classify%=test_vectors%) \
-        $(KINDS_OF_LANES:test_classify%=test_strips%) $(KINDS_OF_LANES:test_classify%=test_transform%) \
+        $(KINDS_OF_LANES:test_classify%=test_transform%) \
         test_borders-1 test_borders-16 test_borders-8-double \
         test_planes-8 test_planes-16 test_planes-16-double \
         test_lanes-1 test_lanes-2 test_lanes-4 test_lanes-8 test_lanes-16 test_lanes-8-double

@@ -3,6 +3,7 @@
 
 #include "oracle/oracle.h"
 #include "oracle/reals.h"
+#include "oracle/texels.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -35,30 +36,21 @@ static int64_t area_at(struct fixed2 a, struct fixed2 b, int x, int y) {
     return ((int64_t)b.x - a.x) * (to_y - a.y) - ((int64_t)b.y - a.y) * (to_x - a.x);
 }
 
-/* 1/w at the pixel; linear on the screen. */
-static long double exact_depth(const struct fixed2 screen[3], const double recip_w[3], int x,
-                               int y) {
+/* And 1/w there, which is linear on the screen. */
+static struct weights weights_at(const struct fixed2 screen[3], const double recip_w[3], int x,
+                                 int y, long double *depth) {
+    struct weights weights;
     long double sum = 0, area = 0;
     for (int i = 0; i < 3; i++) {
         long double part = (long double)area_at(screen[(i + 1) % 3], screen[(i + 2) % 3], x, y);
-        sum += part * recip_w[i];
-        area += part;
-    }
-    return sum / area;
-}
-
-static struct weights weights_at(const struct fixed2 screen[3], const double recip_w[3], int x,
-                                 int y) {
-    struct weights weights;
-    long double sum = 0;
-    for (int i = 0; i < 3; i++) {
-        weights.corner[i] =
-            (long double)area_at(screen[(i + 1) % 3], screen[(i + 2) % 3], x, y) * recip_w[i];
+        weights.corner[i] = part * recip_w[i];
         sum += weights.corner[i];
+        area += part;
     }
     for (int i = 0; i < 3; i++) {
         weights.corner[i] /= sum;
     }
+    *depth = sum / area;
     return weights;
 }
 
@@ -92,7 +84,9 @@ static void cover_face(struct exact *exact, size_t face) {
             if (!oracle_covers(p[0], p[1], p[2], x, y)) {
                 continue;
             }
-            double depth = (double)exact_depth(p, recip_w, x, y);
+            long double exact_depth;
+            (void)weights_at(p, recip_w, x, y, &exact_depth);
+            double depth = (double)exact_depth;
             if (depth > exact->depths[pixel]) {
                 exact->visible += exact->faces[pixel] == 0;
                 exact->depths[pixel] = depth;
@@ -136,37 +130,10 @@ void exact_end(struct exact *exact) {
 
 /* ---- Light ---- */
 
-static long double mix(long double from, long double to, long double t) {
-    return from + (to - from) * t;
-}
-
-static long double clamped(long double value, long double most) {
-    return value < 0 ? 0 : value > most ? most : value;
-}
-
-static struct real3 texel(const struct texture_level *level, size_t x, size_t y) {
-    uint32_t t = texture_texel(level, x, y);
-    return (struct real3){t >> 16 & 255, t >> 8 & 255, t & 255};
-}
-
-static struct real3 mix3(struct real3 from, struct real3 to, long double t) {
-    return (struct real3){mix(from.x, to.x, t), mix(from.y, to.y, t), mix(from.z, to.z, t)};
-}
-
-/* Red, green, blue, linear between the four nearest texel centres. */
 static struct real3 sample(const struct frame_scene *scene, enum model_texture_kind kind,
                            const long double uv[2]) {
     const struct frame_texture *from = &scene->textures[kind];
-    const struct texture_level *level = &from->texture->level[from->level];
-    size_t last_x = level->width - 1, last_y = level->height - 1;
-    long double u = clamped(uv[0] * (long double)level->width - 0.5L, (long double)last_x);
-    long double v = clamped(uv[1] * (long double)level->height - 0.5L, (long double)last_y);
-    size_t x = (size_t)u, y = (size_t)v, right = x < last_x ? x + 1 : x,
-           up = y < last_y ? y + 1 : y;
-    u -= (long double)x;
-    v -= (long double)y;
-    return mix3(mix3(texel(level, x, y), texel(level, right, y), u),
-                mix3(texel(level, x, up), texel(level, right, up), u), v);
+    return real3_bilinear(&from->texture->level[from->level], uv[0], uv[1]);
 }
 
 static long double light_on(const struct frame_scene *scene, const float normal[3]) {
@@ -225,7 +192,8 @@ static struct real3 exact_color(const struct exact *exact, size_t face, int x, i
     struct fixed2 screen[3];
     double recip_w[3];
     find_corners(exact, face, screen, recip_w);
-    struct weights weights = weights_at(screen, recip_w, x, y);
+    long double depth;
+    struct weights weights = weights_at(screen, recip_w, x, y, &depth);
     switch (exact->scene->look) {
     case FRAME_FLAT: {
         long double level = 255 * light_on(exact->scene, exact->scene->head->face_normals[face]);
@@ -241,8 +209,8 @@ static struct real3 exact_color(const struct exact *exact, size_t face, int x, i
 /* ---- Comparing ---- */
 
 static void compare_pixel(struct real3 exact, const uint8_t *bgra, struct deviation *d) {
-    const long double values[3] = {clamped(exact.z, 255), clamped(exact.y, 255),
-                                   clamped(exact.x, 255)};
+    const long double values[3] = {real_clamped(exact.z, 255), real_clamped(exact.y, 255),
+                                   real_clamped(exact.x, 255)};
     bool rounded = false;
     d->compared++;
     for (int i = 0; i < 3; i++) {

@@ -36,8 +36,7 @@ bool exact_begin(struct exact *exact, const struct frame_scene *scene, struct er
 void exact_end(struct exact *exact);
 
 /* Compare pictures (BGRA, row by row from the bottom, alpha 0 where nothing is drawn) with the
- * exact one, which is computed once for all of them; at most PICTURES_MOST. */
-enum { PICTURES_MOST = 4 };
+ * exact one, which is computed once for all of them. */
 void exact_compare(const struct exact *exact, const uint8_t *const *pictures, size_t count,
                    struct deviation *deviations);
 

@@ -3,12 +3,12 @@
  *
  *     bench-frame [options] [model]     --help prints the options
  *
- * Draws a head in three looks (scene.h), at three sizes, with three numbers of triangles, each side
- * with one thread and with two. A frame is: clear colour and depth, draw, all of it in memory;
- * nothing is read back or saved in that time. The sides take turns, so that what disturbs the
- * machine disturbs all alike. A side draws two frames when it is its turn, and the second one is
- * timed: in between the others have used the caches. What counts is the smaller of the time on the
- * wall and that of all its threads together, so that other programs disturb little.
+ * Draws a head in three looks (scene.h), at three sizes, with three numbers of triangles. A frame
+ * is: clear colour and depth, draw, all of it in memory; nothing is read back or saved in that
+ * time. The sides take turns, so that what disturbs the machine disturbs both alike. A side draws
+ * two frames when it is its turn, and the second one is timed: before, the other has used the
+ * caches. What counts is the smaller of the time on the wall and that of all threads together, so
+ * that other programs disturb little.
  *
  * Fair: the same mesh with shared vertices, matrix, viewport and culling, 32 bits a pixel with blue
  * first, bilinear samples of the same mip level. What does not change from frame to frame is made
@@ -23,8 +23,8 @@
  * because of them.
  */
 #define _DEFAULT_SOURCE /* clock_gettime, getloadavg */
-#include "child.h"
 #include "exact.h"
+#include "llvmpipe.h"
 #include "options.h"
 #include "ours.h"
 #include "skipping.h"
@@ -36,47 +36,48 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { SUBDIVISIONS_LIMIT = 6 };
+/* What is measured, and only the first of both where it must be quick: sizes of the image, and
+ * about how many triangles. */
+enum { STEPS = 3, SUBDIVISIONS_LIMIT = 6 };
+static const size_t widths[STEPS] = {800, 1920, 3840}, heights[STEPS] = {800, 1080, 2160};
+static const size_t triangles[STEPS] = {2500, 40000, 640000};
 
 struct bench {
     struct options options;
-    struct frame_model given;             /* as read, with the textures */
-    struct frame_model finer[LIST_LIMIT]; /* cut, empty where it need not be */
-    struct ours ours[2];                  /* one thread, two */
-    struct child mesa[2];
+    struct frame_model given;        /* as read, with the textures */
+    struct frame_model finer[STEPS]; /* cut, empty where it need not be */
+    struct ours ours;
+    struct llvmpipe *mesa; /* NULL where it cannot draw */
     double seconds[SIDES][FRAMES_LIMIT];
     struct table table;
 };
 
 /* ---- Those who draw ---- */
 
-static bool load_side(struct bench *b, enum side side, const struct frame_scene *scene,
-                      struct error *error) {
-    if (side >= MESA_1) {
-        return child_load(&b->mesa[side - MESA_1], scene, error);
+static size_t side_count(const struct bench *b) {
+    return b->table.has_mesa ? SIDES : MESA;
+}
+
+static bool load_sides(struct bench *b, const struct frame_scene *scene, struct error *error) {
+    return ours_load(&b->ours, scene, b->options.threads, b->options.clearing, error) &&
+           (b->mesa == NULL || llvmpipe->load(b->mesa, scene, error));
+}
+
+static bool draw_side(struct bench *b, size_t side, struct error *error) {
+    if (side == OURS) {
+        return ours_draw(&b->ours, error);
     }
-    return ours_load(&b->ours[side - OURS_1], scene, side - OURS_1 + 1, b->options.clearing, error);
+    llvmpipe->draw(b->mesa);
+    return true;
 }
 
 /* Two frames, of which the second is timed. */
-static bool draw_side(struct bench *b, enum side side, double *seconds, struct error *error) {
-    if (side >= MESA_1) {
-        return child_draw(&b->mesa[side - MESA_1], seconds, error);
-    }
-    bool done = ours_draw(&b->ours[side - OURS_1], error);
+static bool time_side(struct bench *b, size_t side, double *seconds, struct error *error) {
+    bool done = draw_side(b, side, error);
     struct stopwatch start = stopwatch_start();
-    done = done && ours_draw(&b->ours[side - OURS_1], error);
+    done = done && draw_side(b, side, error);
     *seconds = stopwatch_seconds(start);
     return done;
-}
-
-/* The picture that was drawn last, and NULL where that fails. */
-static const uint8_t *read_side(struct bench *b, enum side side, struct error *error) {
-    if (side <= OURS_2) {
-        return b->ours[side - OURS_1].image.pixels;
-    }
-    struct child *child = &b->mesa[side - MESA_1];
-    return child_read(child, error) ? child->pixels : NULL;
 }
 
 /* ---- A cell of the table ---- */
@@ -90,17 +91,13 @@ static struct summary summarize(const struct bench *b, double *seconds) {
     };
 }
 
-static size_t side_count(const struct bench *b) {
-    return b->table.has_mesa ? SIDES : MESA_1;
-}
-
 /* Rounds in which each side has its turn, each round beginning with another one. */
 static bool time_cell(struct bench *b, struct cell *cell, struct error *error) {
     size_t sides = side_count(b);
     for (size_t i = 0; i < b->options.frames; i++) {
         for (size_t k = 0; k < sides; k++) {
-            enum side side = (enum side)((i + k) % sides);
-            if (!draw_side(b, side, &b->seconds[side][i], error)) {
+            size_t side = (i + k) % sides;
+            if (!time_side(b, side, &b->seconds[side][i], error)) {
                 return false;
             }
         }
@@ -111,43 +108,39 @@ static bool time_cell(struct bench *b, struct cell *cell, struct error *error) {
     return true;
 }
 
+/* The pictures that were drawn last. */
 static bool judge_cell(struct bench *b, const struct frame_scene *scene, struct cell *cell,
                        struct error *error) {
-    const uint8_t *pictures[SIDES];
-    size_t bytes = scene->width * scene->height * IMAGE_BGRA;
     struct exact exact = {0};
-    for (size_t side = 0; side < side_count(b); side++) {
-        pictures[side] = read_side(b, (enum side)side, error);
-        if (pictures[side] == NULL) {
-            return false;
-        }
-    }
-    bool done = exact_begin(&exact, scene, error);
+    uint8_t *theirs = malloc(scene->width * scene->height * IMAGE_BGRA);
+    const uint8_t *const pictures[SIDES] = {b->ours.image.pixels, theirs};
+    bool done = (theirs != NULL || error_out_of_memory(error)) &&
+                (b->mesa == NULL || llvmpipe->read(b->mesa, theirs, error)) &&
+                exact_begin(&exact, scene, error);
     if (done) {
         exact_compare(&exact, pictures, side_count(b), cell->deviations);
         cell->visible = exact.visible;
-        cell->same[0] = memcmp(pictures[OURS_1], pictures[OURS_2], bytes) == 0;
-        cell->same[1] =
-            !b->table.has_mesa || memcmp(pictures[MESA_1], pictures[MESA_2], bytes) == 0;
     }
     exact_end(&exact);
+    free(theirs);
     return done;
 }
 
 static bool measure_cell(struct bench *b, const struct frame_scene *scene, struct cell *cell,
                          struct error *error) {
-    bool done = true;
     *cell = (struct cell){.look = scene->look,
                           .width = scene->width,
                           .height = scene->height,
                           .faces = scene->call.model->face_count};
-    for (size_t side = 0; done && side < side_count(b); side++) {
-        done = load_side(b, (enum side)side, scene, error);
-    }
-    return done && time_cell(b, cell, error) && judge_cell(b, scene, cell, error);
+    return load_sides(b, scene, error) && time_cell(b, cell, error) &&
+           judge_cell(b, scene, cell, error);
 }
 
 /* ---- All cells ---- */
+
+static size_t step_count(const struct bench *b) {
+    return b->options.quick ? 1 : STEPS;
+}
 
 /* The model of the i-th number of triangles. */
 static const struct frame_model *head_of(const struct bench *b, size_t i) {
@@ -155,11 +148,10 @@ static const struct frame_model *head_of(const struct bench *b, size_t i) {
 }
 
 static bool measure_look(struct bench *b, enum frame_look look, struct error *error) {
-    const struct options *o = &b->options;
-    for (size_t k = 0; k < o->size_count * o->triangle_count; k++) {
-        struct size size = o->sizes[k / o->triangle_count];
-        struct frame_scene scene = frame_scene(look, size.width, size.height,
-                                               head_of(b, k % o->triangle_count), &b->given.model);
+    const size_t steps = step_count(b);
+    for (size_t k = 0; k < steps * steps; k++) {
+        struct frame_scene scene = frame_scene(look, widths[k / steps], heights[k / steps],
+                                               head_of(b, k % steps), &b->given.model);
         struct cell *cell = &b->table.cells[b->table.count];
         if (!measure_cell(b, &scene, cell, error)) {
             return false;
@@ -173,10 +165,13 @@ static bool measure_look(struct bench *b, enum frame_look look, struct error *er
 static bool measure_all(struct bench *b, struct error *error) {
     const struct options *o = &b->options;
     table_print_time_head(o);
-    for (size_t i = 0; i < o->look_count; i++) {
-        if (!frame_look_is_possible(o->looks[i], &b->given.model)) {
-            printf("%-7s left out: the model lacks a texture\n", frame_look_name[o->looks[i]]);
-        } else if (!measure_look(b, o->looks[i], error)) {
+    for (enum frame_look look = FRAME_FLAT; look < FRAME_LOOKS; look++) {
+        if (o->look != FRAME_LOOKS && o->look != look) {
+            continue;
+        }
+        if (!frame_look_is_possible(look, &b->given.model)) {
+            printf("%-7s left out: the model lacks a texture\n", frame_look_name[look]);
+        } else if (!measure_look(b, look, error)) {
             return false;
         }
     }
@@ -201,8 +196,8 @@ static bool read_heads(struct bench *b, struct error *error) {
     if (!frame_model_read(&b->given, b->options.model, error)) {
         return false;
     }
-    for (size_t i = 0; i < b->options.triangle_count; i++) {
-        int times = subdivisions_for(b->given.model.face_count, b->options.triangles[i]);
+    for (size_t i = 0; i < step_count(b); i++) {
+        int times = subdivisions_for(b->given.model.face_count, triangles[i]);
         if (times > 0 && !frame_model_subdivide(&b->finer[i], &b->given, times, error)) {
             return false;
         }
@@ -210,36 +205,14 @@ static bool read_heads(struct bench *b, struct error *error) {
     return true;
 }
 
-static size_t most_pixels(const struct options *o) {
-    size_t most = 0;
-    for (size_t i = 0; i < o->size_count; i++) {
-        size_t pixels = o->sizes[i].width * o->sizes[i].height;
-        most = pixels > most ? pixels : most;
-    }
-    return most;
-}
-
-/* Before any thread is started here, and after all models were read. */
 static void start_mesa(struct bench *b) {
-    static const int threads[2] = {0, 2}; /* 0: none but the one that calls */
     struct error error;
-    b->table.has_mesa = llvmpipe != NULL;
-    for (int i = 0; b->table.has_mesa && i < 2; i++) {
-        b->table.has_mesa = child_start(&b->mesa[i], threads[i], most_pixels(&b->options), &error);
-        if (!b->table.has_mesa) {
-            printf("llvmpipe is left out: %s\n", error.message);
-        }
+    if (llvmpipe != NULL) {
+        b->mesa = llvmpipe->open((int)b->options.threads, &error);
+        printf("%s%s\n", b->mesa != NULL ? "" : "llvmpipe is left out: ",
+               b->mesa != NULL ? llvmpipe->name(b->mesa) : error.message);
     }
-    if (b->table.has_mesa) {
-        printf("%s\n", b->mesa[0].name);
-    }
-}
-
-static bool allocate(struct bench *b, struct error *error) {
-    const struct options *o = &b->options;
-    b->table.cells =
-        calloc(o->look_count * o->size_count * o->triangle_count, sizeof *b->table.cells);
-    return b->table.cells != NULL || error_out_of_memory(error);
+    b->table.has_mesa = b->mesa != NULL;
 }
 
 /* What else the machine does. */
@@ -252,7 +225,7 @@ static void print_load(void) {
 }
 
 static bool set_up(struct bench *b, struct error *error) {
-    if (!read_heads(b, error) || !allocate(b, error)) {
+    if (!read_heads(b, error)) {
         return false;
     }
     printf("%s, seen from (1,1,3), in the middle square of the image\n", b->options.model);
@@ -262,15 +235,14 @@ static bool set_up(struct bench *b, struct error *error) {
 }
 
 static void tear_down(struct bench *b) {
-    for (int i = 0; i < 2; i++) {
-        child_end(&b->mesa[i]);
-        ours_free(&b->ours[i]);
+    ours_free(&b->ours);
+    if (b->mesa != NULL) {
+        llvmpipe->close(b->mesa);
     }
-    for (size_t i = 0; i < LIST_LIMIT; i++) {
+    for (size_t i = 0; i < STEPS; i++) {
         frame_model_free(&b->finer[i]);
     }
     frame_model_free(&b->given);
-    free(b->table.cells);
     free(b);
 }
 

@@ -71,11 +71,18 @@ static void gl_context_close(struct gl_context *c) {
 
 /* ---- Shaders ---- */
 
+#define TEXT_OF_VALUE(value) #value
+#define TEXT_OF(macro)       TEXT_OF_VALUE(macro)
+
+static const char *const head = "#version 450 core\n"
+                                "#define AMBIENT " TEXT_OF(AMBIENT) "\n";
+
 /* 0, with a message, for a shader that does not compile. */
-static GLuint compile(GLenum kind, const char *const *parts, size_t count, struct error *error) {
+static GLuint compile(GLenum kind, const char *text, struct error *error) {
+    const char *const parts[] = {head, text};
     GLuint shader = glCreateShader(kind);
     GLint compiled = GL_FALSE;
-    glShaderSource(shader, (GLsizei)count, parts, NULL);
+    glShaderSource(shader, 2, parts, NULL);
     glCompileShader(shader);
     glGetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
     if (compiled == GL_FALSE) {
@@ -88,12 +95,11 @@ static GLuint compile(GLenum kind, const char *const *parts, size_t count, struc
     return shader;
 }
 
-/* Compile and link two shaders, each given as `count` parts of its source text. 0, with a message,
- * where that fails. */
-static GLuint gl_make_program(const char *const *vertex_parts, const char *const *fragment_parts,
-                              size_t count, struct error *error) {
-    GLuint vertex = compile(GL_VERTEX_SHADER, vertex_parts, count, error);
-    GLuint fragment = vertex != 0 ? compile(GL_FRAGMENT_SHADER, fragment_parts, count, error) : 0;
+/* Compile and link two shaders. 0, with a message, where that fails. */
+static GLuint gl_make_program(const char *vertex_text, const char *fragment_text,
+                              struct error *error) {
+    GLuint vertex = compile(GL_VERTEX_SHADER, vertex_text, error);
+    GLuint fragment = vertex != 0 ? compile(GL_FRAGMENT_SHADER, fragment_text, error) : 0;
     GLuint program = glCreateProgram();
     GLint linked = GL_FALSE;
     if (fragment != 0) {
@@ -149,12 +155,6 @@ static void gl_set_matrix(GLuint program, const char *name, const struct mat4 *m
 }
 
 /* ---- Shaders: the formulas of scene.h, each in the form that llvmpipe draws fastest ---- */
-
-#define TEXT_OF_VALUE(value) #value
-#define TEXT_OF(macro)       TEXT_OF_VALUE(macro)
-
-static const char *const head = "#version 450 core\n"
-                                "#define AMBIENT " TEXT_OF(AMBIENT) "\n";
 
 static const char *const vertex_shaders[FRAME_LOOKS] = {
     [FRAME_FLAT] = "layout(location = 0) in vec3 position;\n"
@@ -247,7 +247,7 @@ static void close_llvmpipe(struct llvmpipe *l) {
 static struct llvmpipe *open_llvmpipe(int threads, struct error *error) {
     char number[16];
     struct llvmpipe *l = calloc(1, sizeof *l);
-    snprintf(number, sizeof number, "%d", threads);
+    snprintf(number, sizeof number, "%d", threads > 1 ? threads : 0); /* 0: the one that calls */
     setenv("LP_NUM_THREADS", number, 1);
     if (l == NULL) {
         error_out_of_memory(error);
@@ -255,9 +255,7 @@ static struct llvmpipe *open_llvmpipe(int threads, struct error *error) {
     }
     bool done = gl_context_open(&l->context, error);
     for (int look = 0; done && look < FRAME_LOOKS; look++) {
-        const char *vertex[2] = {head, vertex_shaders[look]};
-        const char *fragment[2] = {head, fragment_shaders[look]};
-        l->programs[look] = gl_make_program(vertex, fragment, 2, error);
+        l->programs[look] = gl_make_program(vertex_shaders[look], fragment_shaders[look], error);
         done = l->programs[look] != 0;
     }
     if (!done) {

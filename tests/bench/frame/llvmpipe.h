@@ -13,8 +13,8 @@
 struct llvmpipe;
 
 struct llvmpipe_functions {
-    /* Threads: 0 draws in the thread that calls; only the first call of a process decides. NULL,
-     * with a message, where it cannot draw. */
+    /* So many threads draw; only the first call of a process decides. NULL, with a message, where
+     * it cannot draw. */
     struct llvmpipe *(*open)(int threads, struct error *error);
     void (*close)(struct llvmpipe *llvmpipe);
     const char *(*name)(const struct llvmpipe *llvmpipe); /* "llvmpipe (...), version" */

@@ -3,25 +3,19 @@
 #define FRAME_OPTIONS_H
 
 #include "base/error.h"
-#include "llvmpipe.h"
 #include "scene.h"
 
 #include <stdbool.h>
 #include <stddef.h>
 
-enum { LIST_LIMIT = 8, FRAMES_LIMIT = 1000, TRIANGLES_LIMIT = 100000000 };
-
-struct size {
-    size_t width, height;
-};
+enum { FRAMES_LIMIT = 1000, THREADS_LIMIT = 16 };
 
 struct options {
     const char *model;
-    enum frame_look looks[LIST_LIMIT];
-    struct size sizes[LIST_LIMIT];
-    size_t triangles[LIST_LIMIT]; /* about so many */
-    size_t look_count, size_count, triangle_count;
+    enum frame_look look;   /* this one alone; FRAME_LOOKS: all */
     size_t frames;          /* timed of each, 1..FRAMES_LIMIT */
+    size_t threads;         /* that draw, on both sides, 1..THREADS_LIMIT */
+    bool quick;             /* at the first size, of the model as it is */
     bool skipping;          /* measure only what shortcuts are worth */
     enum clearing clearing; /* how the course's side clears the image */
     bool help;              /* nothing but that */

@@ -106,49 +106,29 @@ static void *allocate_array(size_t count, size_t element_size) {
     return array_reserve(NULL, &capacity, count + 1, element_size);
 }
 
-/* An array of `old_count` elements of 2 or 3 floats, longer by the middles of its edges. */
-static float *add_middles(const float *old, const struct middles *middles, size_t floats) {
-    size_t count = middles->old_count + middles->edges.count;
-    float *longer = allocate_array(count, floats * sizeof *longer);
-    if (longer == NULL) {
-        return NULL;
+/* An array of `old_count` elements of 2 or 3 numbers, longer by the middles of its edges. */
+#define ADD_MIDDLES(name, type)                                                                    \
+    static type *name(const type *old, const struct middles *middles, size_t numbers) {            \
+        size_t count = middles->old_count + middles->edges.count;                                  \
+        type *longer = allocate_array(count, numbers * sizeof *longer);                            \
+        if (longer != NULL && middles->old_count > 0) {                                            \
+            memcpy(longer, old, middles->old_count *numbers * sizeof *longer);                     \
+        }                                                                                          \
+        for (size_t i = 0; longer != NULL && i < middles->edges.capacity; i++) {                   \
+            const uint64_t key = middles->edges.keys[i];                                           \
+            const uint32_t number = middles->edges.numbers[i];                                     \
+            for (size_t k = 0; number > 0 && k < numbers; k++) {                                   \
+                longer[(middles->old_count + number - 1) * numbers + k] =                          \
+                    (longer[(key >> 32) * numbers + k] +                                           \
+                     longer[(key & UINT32_MAX) * numbers + k]) /                                   \
+                    2;                                                                             \
+            }                                                                                      \
+        }                                                                                          \
+        return longer;                                                                             \
     }
-    if (middles->old_count > 0) {
-        memcpy(longer, old, middles->old_count * floats * sizeof *longer);
-    }
-    for (size_t i = 0; i < middles->edges.capacity; i++) {
-        if (middles->edges.numbers[i] == 0) {
-            continue;
-        }
-        const float *a = longer + (middles->edges.keys[i] >> 32) * floats;
-        const float *b = longer + (middles->edges.keys[i] & UINT32_MAX) * floats;
-        float *to = longer + (middles->old_count + middles->edges.numbers[i] - 1) * floats;
-        for (size_t k = 0; k < floats; k++) {
-            to[k] = (a[k] + b[k]) / 2;
-        }
-    }
-    return longer;
-}
 
-static struct vec3 *add_middle_positions(const struct vec3 *old, const struct middles *middles) {
-    size_t count = middles->old_count + middles->edges.count;
-    struct vec3 *longer = allocate_array(count, sizeof *longer);
-    if (longer == NULL) {
-        return NULL;
-    }
-    if (middles->old_count > 0) {
-        memcpy(longer, old, middles->old_count * sizeof *longer);
-    }
-    for (size_t i = 0; i < middles->edges.capacity; i++) {
-        if (middles->edges.numbers[i] != 0) {
-            struct vec3 a = longer[middles->edges.keys[i] >> 32];
-            struct vec3 b = longer[middles->edges.keys[i] & UINT32_MAX];
-            longer[middles->old_count + middles->edges.numbers[i] - 1] =
-                vec3_scale(vec3_add(a, b), 0.5);
-        }
-    }
-    return longer;
-}
+ADD_MIDDLES(add_middles, float)
+ADD_MIDDLES(add_middle_positions, double)
 
 static bool begin_middles(struct middles middles[ATTRIBUTES], const struct model *model,
                           struct error *error) {
@@ -167,7 +147,8 @@ static bool add_all_middles(struct model *fine, const struct model *coarse,
     fine->position_count = coarse->position_count + middles[0].edges.count;
     fine->uv_count = coarse->uv_count + middles[1].edges.count;
     fine->normal_count = coarse->normal_count + middles[2].edges.count;
-    fine->positions = add_middle_positions(coarse->positions, &middles[0]);
+    fine->positions =
+        (struct vec3 *)add_middle_positions((const double *)coarse->positions, &middles[0], 3);
     fine->uvs = (float(*)[2])add_middles((const float *)coarse->uvs, &middles[1], 2);
     fine->normals = (float(*)[3])add_middles((const float *)coarse->normals, &middles[2], 3);
     if (fine->positions == NULL || fine->uvs == NULL || fine->normals == NULL) {

@@ -6,7 +6,7 @@
 #include "options.h"
 
 /* Those who draw, in the order of the tables. */
-enum side { OURS_1, OURS_2, MESA_1, MESA_2, SIDES };
+enum side { OURS, MESA, SIDES };
 
 struct summary {
     double median; /* milliseconds */
@@ -20,11 +20,12 @@ struct cell {
     size_t visible; /* pixels that show a face */
     struct summary sides[SIDES];
     struct deviation deviations[SIDES];
-    bool same[2]; /* one thread and two draw the same bytes: ours, llvmpipe */
 };
 
+enum { CELLS_LIMIT = 27 };
+
 struct table {
-    struct cell *cells;
+    struct cell cells[CELLS_LIMIT];
     size_t count;
     bool has_mesa;
 };

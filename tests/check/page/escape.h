@@ -4,13 +4,23 @@
 
 #include "base/bytes.h"
 
+#include <stdarg.h>
 #include <stdbool.h>
 
-/* A copy in which what a terminal would obey is '?', but lines stay lines, and a tab is a blank.
- * The caller frees it; NULL when memory runs out. */
-char *printable_lines(const char *text);
+/* Appends the text as a format has it; false when memory runs out. What a terminal would obey
+ * becomes '?', a tab a blank; lines stay lines. */
+typedef bool escape_function(struct bytes *out, const char *text);
 
-/* Append the printable lines as text or attribute of HTML or XML; false when memory runs out. */
-bool escape_markup(struct bytes *out, const char *text);
+/* As text or attribute of HTML or XML; within a string of JSON; on the one line of TAP, where '#'
+ * begins a directive. */
+escape_function escape_markup, escape_json, escape_tap;
+
+/* Append the format, of which each %s is text that is escaped, each %u a number; there is nothing
+ * else behind a %. False when memory runs out. */
+bool escape_print(struct bytes *out, escape_function *escape, const char *format,
+                  va_list arguments);
+
+/* The same with escape_markup(). */
+bool markup_print(struct bytes *out, const char *format, ...) PRINTF_LIKE(2, 3);
 
 #endif

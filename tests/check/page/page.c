@@ -17,51 +17,33 @@ static const char *const head[] = {
     NULL};
 
 static bool put_all(struct bytes *page, const char *const *lines) {
-    for (size_t i = 0; lines[i] != NULL; i++) {
-        if (!page_html(page, lines[i])) {
-            return false;
-        }
+    bool done = true;
+    for (size_t i = 0; lines[i] != NULL && done; i++) {
+        done = bytes_append(page, lines[i], strlen(lines[i]));
     }
-    return true;
-}
-
-bool page_html(struct bytes *page, const char *html) {
-    return bytes_append(page, html, strlen(html));
-}
-
-bool page_text(struct bytes *page, const char *text) {
-    return escape_markup(page, text);
+    return done;
 }
 
 bool page_begin(struct bytes *page, const char *title) {
-    return page_html(page, "<!DOCTYPE html>\n<html lang=en>\n<head>\n") && put_all(page, head) &&
-           page_html(page, "<title>") && page_text(page, title) &&
-           page_html(page, "</title>\n<style>\n") && put_all(page, page_live) &&
-           put_all(page, page_css) && page_html(page, "</style>\n</head>\n<body>\n<h1>") &&
-           page_text(page, title) && page_html(page, "</h1>\n<main>\n");
+    return markup_print(page, "<!DOCTYPE html>\n<html lang=en>\n<head>\n") && put_all(page, head) &&
+           markup_print(page, "<title>%s</title>\n<style>\n", title) && put_all(page, page_live) &&
+           put_all(page, page_css) &&
+           markup_print(page, "</style>\n</head>\n<body>\n<h1>%s</h1>\n<main>\n", title);
 }
 
-/* The picture as the address of an <img>. */
-static bool put_image(struct bytes *page, const struct image *image, struct error *error) {
-    struct bytes png = {.data = NULL};
-    bool encoded = png_encode(image, &png, error);
-    bool done = encoded && page_html(page, "data:image/png;base64,") &&
-                base64_encode(page, png.data, png.size);
-    bytes_free(&png);
-    return done || (encoded && error_out_of_memory(error));
-}
-
+/* A picture and its name, in the page itself. */
 static bool put_figure(struct bytes *page, const char *scene, const char *name,
                        const struct image *image, struct error *error) {
-    bool begun = page_html(page, "<figure data-name=\"") && page_text(page, name) &&
-                 page_html(page, "\"><figcaption>") && page_text(page, name) &&
-                 page_html(page, "</figcaption><img alt=\"") && page_text(page, scene) &&
-                 page_html(page, ", ") && page_text(page, name) && page_html(page, "\" src=\"");
-    if (!begun) {
-        return error_out_of_memory(error);
-    }
-    return put_image(page, image, error) &&
-           (page_html(page, "\"></figure>\n") || error_out_of_memory(error));
+    struct bytes png = {.data = NULL};
+    bool encoded = png_encode(image, &png, error);
+    bool done = encoded &&
+                markup_print(page,
+                             "<figure data-name=\"%s\"><figcaption>%s</figcaption>"
+                             "<img alt=\"%s, %s\" src=\"data:image/png;base64,",
+                             name, name, scene, name) &&
+                base64_encode(page, png.data, png.size) && markup_print(page, "\"></figure>\n");
+    bytes_free(&png);
+    return done || (encoded && error_out_of_memory(error));
 }
 
 /* What it looks like, and the two small pictures by which that is seen. */
@@ -69,36 +51,33 @@ static bool put_looks(struct bytes *page, const struct page_scene *scene, struct
     if (scene->looks == NULL) {
         return true;
     }
-    bool done = (page_html(page, "<aside class=looks><p>") && page_text(page, scene->looks) &&
-                 page_html(page, "</p>\n")) ||
+    bool done = markup_print(page, "<aside class=looks><p>%s</p>\n", scene->looks) ||
                 error_out_of_memory(error);
     if (done && scene->mistake->width > 0) {
         done = put_figure(page, scene->name, "the mistake", scene->mistake, error) &&
                put_figure(page, scene->name, "yours, as small", scene->small, error);
     }
-    return done && (page_html(page, "</aside>\n") || error_out_of_memory(error));
+    return done && (markup_print(page, "</aside>\n") || error_out_of_memory(error));
 }
 
 bool page_scene(struct bytes *page, const struct page_scene *scene, struct error *error) {
-    const char *const tag = scene->level > 2 ? "h3>" : "h2>";
-    bool done =
-        (page_html(page, "<section>\n<") && page_html(page, tag) && page_text(page, scene->name) &&
-         page_html(page, "</") && page_html(page, tag) && page_html(page, "\n<p>") &&
-         page_text(page, scene->note) && page_html(page, "</p>\n")) ||
-        error_out_of_memory(error);
-    done = done && put_looks(page, scene, error) &&
-           (page_html(page, "<div class=pictures>\n") || error_out_of_memory(error));
+    const unsigned level = (unsigned)scene->level;
+    bool done = (markup_print(page, "<section>\n<h%u>%s</h%u>\n<p>%s</p>\n", level, scene->name,
+                              level, scene->note) ||
+                 error_out_of_memory(error)) &&
+                put_looks(page, scene, error) &&
+                (markup_print(page, "<div class=pictures>\n") || error_out_of_memory(error));
     for (int i = 0; i < PICTURE_COUNT && done; i++) {
         const struct image *image = &scene->pictures->image[i];
         done = image->width == 0 || put_figure(page, scene->name, picture_names[i], image, error);
     }
-    return done && (page_html(page, "</div>\n</section>\n") || error_out_of_memory(error));
+    return done && (markup_print(page, "</div>\n</section>\n") || error_out_of_memory(error));
 }
 
 bool page_end(struct bytes *page) {
-    return page_html(page, "</main>\n<dialog id=viewer aria-label=Pictures>\n") &&
-           page_html(page, "<form method=dialog><button id=close>close</button></form>\n") &&
-           put_all(page, page_viewer) && page_html(page, "</dialog>\n<script>\n") &&
+    return markup_print(page, "</main>\n<dialog id=viewer aria-label=Pictures>\n"
+                              "<form method=dialog><button id=close>close</button></form>\n") &&
+           put_all(page, page_viewer) && markup_print(page, "</dialog>\n<script>\n") &&
            put_all(page, page_still) && put_all(page, page_js) &&
-           page_html(page, "</script>\n</body>\n</html>\n");
+           markup_print(page, "</script>\n</body>\n</html>\n");
 }

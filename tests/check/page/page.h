@@ -3,11 +3,12 @@
  *
  *     struct bytes page = {.data = NULL};
  *     page_begin(&page, "step05_zbuffer");
- *     page_scene(&page, "depth", "0.7 % differ", &pictures, &error);
+ *     page_scene(&page, &scene, &error);
  *     page_end(&page);
  *
  * The page is one file that works offline: pictures are in it as PNG, side by side. A click on one
  * opens the page of `make live` over them (still.js), which shows single pixels and their values.
+ * What else a caller writes it escapes by markup_print().
  */
 #ifndef TESTS_HELP_PAGE_H
 #define TESTS_HELP_PAGE_H
@@ -38,16 +39,9 @@ struct page_scene {
 /* Everything up to the first scene. */
 bool page_begin(struct bytes *page, const char *title);
 
-/* A scene, with those of its pictures that are there. An error may come from encoding a picture,
- * too. */
+/* A scene, with those of its pictures that are there. False, with a message, also when a picture
+ * cannot be encoded. */
 bool page_scene(struct bytes *page, const struct page_scene *scene, struct error *error);
-
-/* Text as HTML shows it, lines and all; what a terminal would obey is made '?'. For what else a
- * caller writes. */
-bool page_text(struct bytes *page, const char *text);
-
-/* HTML that is written as it is. */
-bool page_html(struct bytes *page, const char *html);
 
 bool page_end(struct bytes *page);
 

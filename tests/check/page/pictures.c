@@ -6,6 +6,8 @@
 #include "check/verdict.h"
 #include "files/image_file.h"
 
+#include <stdio.h>
+
 const char *const picture_names[PICTURE_COUNT] = {"yours", "reference", "difference"};
 
 static bool read_if_there(struct image *image, const char *path, struct error *error) {
@@ -54,6 +56,28 @@ bool pictures_read(struct pictures *pictures, const char *yours, const char *ref
     return done;
 }
 
+struct picture_words pictures_describe(const struct pictures *pictures) {
+    const struct image *yours = &pictures->image[PICTURE_YOURS];
+    const struct image *reference = &pictures->image[PICTURE_REFERENCE];
+    struct picture_words words = {"exact"};
+    const size_t size = sizeof words.text;
+    if (yours->width == 0 || reference->width == 0) {
+        snprintf(words.text, size, "there is no %s",
+                 yours->width == 0 ? "picture of yours" : "reference");
+    } else if (!pictures->same_size) {
+        snprintf(words.text, size, "%zux%zu pixels, not %zux%zu", yours->width, yours->height,
+                 reference->width, reference->height);
+    } else if (pictures->differing > 0) {
+        int length =
+            snprintf(words.text, size, "%llu pixel%s, ", (unsigned long long)pictures->differing,
+                     pictures->differing == 1 ? " differs" : "s differ");
+        snprintf(words.text + length, size - (size_t)length,
+                 pictures->fails ? "the first wrong one at (%d,%d)" : "and it passes",
+                 pictures->wrong_x, pictures->wrong_y);
+    }
+    return words;
+}
+
 void pictures_free(struct pictures *pictures) {
     for (int i = 0; i < PICTURE_COUNT; i++) {
         image_free(&pictures->image[i]);
@@ -90,37 +114,38 @@ bool picture_part(struct image *part, const struct image *image, int left, int b
     return true;
 }
 
-/* How far a colour is from black: its largest channel. */
-static int distance_from_background(struct color c) {
-    int most = c.r > c.g ? c.r : c.g;
-    return most > c.b ? most : c.b;
-}
-
-/* Of the pixels from (x,y) up to, without, (right,top). */
-static struct color most_different(const struct image *image, size_t x, size_t y, size_t right,
-                                   size_t top) {
-    struct color most = image_get(image, (int)x, (int)y);
+/* Of the pixels from (x,y) up to, without, (right,top): the one that is farthest from the
+ * reference's; where none is, the brightest. */
+static struct color choose_pixel(const struct image *image, const struct image *reference, size_t x,
+                                 size_t y, size_t right, size_t top) {
+    const struct color black = color_grey(0);
+    struct color chosen = black;
+    int most = -1;
     for (size_t j = y; j < top; j++) {
         for (size_t i = x; i < right; i++) {
             struct color color = image_get(image, (int)i, (int)j);
-            if (distance_from_background(color) > distance_from_background(most)) {
-                most = color;
+            int wrong =
+                reference != NULL ? color_distance(color, image_get(reference, (int)i, (int)j)) : 0;
+            int weight = (wrong > COMPARE_LEVELS ? wrong * 256 : 0) + color_distance(color, black);
+            if (weight > most) {
+                most = weight;
+                chosen = color;
             }
         }
     }
-    return most;
+    return chosen;
 }
 
-bool picture_shrink(struct image *shrunk, const struct image *image, size_t width, size_t height,
-                    struct error *error) {
+bool picture_shrink(struct image *shrunk, const struct image *image, const struct image *reference,
+                    size_t width, size_t height, struct error *error) {
     if (!image_create(shrunk, width, height, IMAGE_BGR, error)) {
         return false;
     }
     for (size_t y = 0; y < height; y++) {
         for (size_t x = 0; x < width; x++) {
             struct color color =
-                most_different(image, x * image->width / width, y * image->height / height,
-                               (x + 1) * image->width / width, (y + 1) * image->height / height);
+                choose_pixel(image, reference, x * image->width / width, y * image->height / height,
+                             (x + 1) * image->width / width, (y + 1) * image->height / height);
             image_set(shrunk, (int)x, (int)y, color);
         }
     }

@@ -35,6 +35,13 @@ const struct checked_scene *pictures_rule(struct scene_table *table, const char 
 bool pictures_read(struct pictures *pictures, const char *yours, const char *reference,
                    const struct checked_scene *rule, struct error *error);
 
+/* "exact"; "214 pixels differ, the first wrong one at (3,5)", or "and it passes"; "10x10 pixels,
+ * not 200x4"; "there is no picture of yours", or no reference. */
+struct picture_words {
+    char text[100];
+};
+struct picture_words pictures_describe(const struct pictures *pictures);
+
 /* Free the images and leave them empty. */
 void pictures_free(struct pictures *pictures);
 
@@ -47,9 +54,10 @@ bool picture_part(struct image *part, const struct image *image, int left, int b
                   size_t height, struct error *error);
 
 /* `shrunk` becomes the image in that size, which is not larger: of the pixels that become one it
- * keeps the one that differs most from the background, so that no line and no mark is lost. */
-bool picture_shrink(struct image *shrunk, const struct image *image, size_t width, size_t height,
-                    struct error *error);
+ * keeps the one that differs most from the reference, of the same size, and where none does, or it
+ * is NULL, from the background, so that no line, no mark and no hole is lost. */
+bool picture_shrink(struct image *shrunk, const struct image *image, const struct image *reference,
+                    size_t width, size_t height, struct error *error);
 
 /* How many times an image of that size must be enlarged, by whole numbers, to fill `room`, and at
  * least 1. */

@@ -1,5 +1,5 @@
 /* A mistake that the compiler finds. */
-#include "picture.h"
+#include <stdio.h>
 
 int main(void) {
     return no_such_variable;

@@ -1,2 +1,2 @@
 /* A program without main(). */
-#include "picture.h"
+#include <stdio.h>

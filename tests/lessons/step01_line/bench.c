@@ -31,7 +31,7 @@ static uint8_t version_level(int choice) {
 
 static void lines_run(void *state, int choice) {
     struct lines *lines = state;
-    line_function *draw = choice == HOUSE_LINE ? line : line_attempt(choice).draw;
+    line_function *draw = choice == HOUSE_LINE ? line : line_attempt(choice);
     for (int i = 0; i < LINE_COUNT; i++) {
         draw(&lines->images[i], lines->ends[i][0], lines->ends[i][1],
              color_grey(version_level(choice)));
@@ -108,12 +108,5 @@ static const struct bench_panel lines_panels[] = {
     },
 };
 
-const struct bench_lesson bench_step01 = {
-    .step = "step01_line",
-    .title = "Step 1: a line",
-    .state_size = sizeof(struct lines),
-    .setup = lines_setup,
-    .teardown = lines_teardown,
-    .panels = lines_panels,
-    .panel_count = sizeof lines_panels / sizeof lines_panels[0],
-};
+const struct bench_lesson bench_step01 = BENCH_LESSON("step01_line", "Step 1: a line", struct lines,
+                                                      lines_setup, lines_teardown, lines_panels);

@@ -195,12 +195,6 @@ static const struct bench_panel frame_panels[] = {
     },
 };
 
-const struct bench_lesson bench_step02 = {
-    .step = "step02_wireframe",
-    .title = "Step 2: a wireframe",
-    .state_size = sizeof(struct frame),
-    .setup = frame_setup,
-    .teardown = frame_teardown,
-    .panels = frame_panels,
-    .panel_count = sizeof frame_panels / sizeof frame_panels[0],
-};
+const struct bench_lesson bench_step02 =
+    BENCH_LESSON("step02_wireframe", "Step 2: a wireframe", struct frame, frame_setup,
+                 frame_teardown, frame_panels);

@@ -47,8 +47,7 @@ static enum block_kind attempt_block_kind(const struct edges *edges, int x, int 
  * pixels are tested one by one. Right. It pays where a block can be left out as a whole (a coarse
  * depth, for example) and on graphics processors; for small triangles nearly all blocks are mixed,
  * and pixels outside are tested all the time. */
-static void attempt_8_blocks(struct target *target, const struct vec2 p[3], struct color color) {
-    struct image *image = target->image;
+static void attempt_8_blocks(struct image *image, const struct vec2 p[3], struct color color) {
     struct fixed2 corner[3];
     struct edges edges;
     for (int i = 0; i < 3; i++) {
@@ -68,9 +67,9 @@ static void attempt_8_blocks(struct target *target, const struct vec2 p[3], stru
             for (int v = y; v < y_end && kind != BLOCK_OUTSIDE; v++) {
                 int begin = kind == BLOCK_INSIDE ? x : -1;
                 for (int u = x; u < x_end && kind == BLOCK_MIXED; u++) {
-                    target_test(target, &begin, u, v, edges_cover(&edges, u, v), color);
+                    attempt_test(image, &begin, u, v, edges_cover(&edges, u, v), color);
                 }
-                target_test(target, &begin, x_end, v, false, color);
+                attempt_test(image, &begin, x_end, v, false, color);
             }
         }
     }
@@ -269,8 +268,8 @@ static void fill_carried(struct image *image, const struct fixed2 corner[3], str
 
 enum { HOUSE = 0, CARRIED = 9 }; /* choices 1 to 8 are the attempts */
 
-static void fill(const struct filled *t, int choice, struct target *target, struct color color) {
-    static void (*const attempts[])(struct target *, const struct vec2[3], struct color) = {
+static void fill(const struct filled *t, int choice, struct image *image, struct color color) {
+    static void (*const attempts[])(struct image *, const struct vec2[3], struct color) = {
         NULL,
         attempt_1_sweep_whole,
         attempt_2_sweep_float,
@@ -282,11 +281,11 @@ static void fill(const struct filled *t, int choice, struct target *target, stru
         attempt_8_blocks,
     };
     if (choice == HOUSE) {
-        triangle(target->image, t->snapped, color);
+        triangle(image, t->snapped, color);
     } else if (choice == CARRIED) {
-        fill_carried(target->image, t->snapped, color);
+        fill_carried(image, t->snapped, color);
     } else {
-        attempts[choice](target, t->corner, color);
+        attempts[choice](image, t->corner, color);
     }
 }
 
@@ -303,9 +302,8 @@ enum { ATTEMPTS = 16 };
 static void run(void *state, int choice) {
     struct fill_bench *bench = state;
     const struct mesh *mesh = &bench->meshes[choice / ATTEMPTS];
-    struct target target = {.image = &bench->image};
     for (size_t i = 0; i < mesh->count; i++) {
-        fill(&mesh->triangles[i], choice % ATTEMPTS, &target, triangle_color(i, choice + 1));
+        fill(&mesh->triangles[i], choice % ATTEMPTS, &bench->image, triangle_color(i, choice + 1));
     }
 }
 
@@ -384,12 +382,6 @@ static const struct bench_panel fill_panels[] = {
     },
 };
 
-const struct bench_lesson bench_step03 = {
-    .step = "step03_triangle",
-    .title = "Step 3: a triangle",
-    .state_size = sizeof(struct fill_bench),
-    .setup = fill_setup,
-    .teardown = fill_teardown,
-    .panels = fill_panels,
-    .panel_count = sizeof fill_panels / sizeof fill_panels[0],
-};
+const struct bench_lesson bench_step03 =
+    BENCH_LESSON("step03_triangle", "Step 3: a triangle", struct fill_bench, fill_setup,
+                 fill_teardown, fill_panels);

@@ -7,7 +7,7 @@
 static const struct color called_white = {255, 255, 255, 255};
 
 /* Edges as triangle_setup() finds them: of the triangle that the text computes by hand, of the same
- * one given clockwise, of one beside the image, and of one that reaches far beyond it. */
+ * one given clockwise, of one outside the image, and of one that reaches far beyond it. */
 static const struct edges called_by_hand = {
     .edge = {{1245184, -196608, -262144, 1}, {-196608, 196608, 0, 0}, {-262144, 0, 262144, 1}},
     .area = 786432,

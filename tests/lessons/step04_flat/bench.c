@@ -159,12 +159,5 @@ static const struct bench_panel faces_panels[] = {
     },
 };
 
-const struct bench_lesson bench_step04 = {
-    .step = "step04_flat",
-    .title = "Step 4: flat shading",
-    .state_size = sizeof(struct faces),
-    .setup = faces_setup,
-    .teardown = faces_teardown,
-    .panels = faces_panels,
-    .panel_count = sizeof faces_panels / sizeof faces_panels[0],
-};
+const struct bench_lesson bench_step04 = BENCH_LESSON(
+    "step04_flat", "Step 4: flat shading", struct faces, faces_setup, faces_teardown, faces_panels);

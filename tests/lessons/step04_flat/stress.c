@@ -5,8 +5,6 @@
 #include "upkeep/stress/lessons.h"
 #include "upkeep/stress/stress.h"
 
-#include <stdio.h>
-
 void lesson04_triangle(struct image *image, const struct fixed2 corner[3], struct color color) {
     const struct vertex v[3] = {{corner[0]}, {corner[1]}, {corner[2]}};
     triangle(image, v, color);
@@ -56,15 +54,8 @@ static bool face_is_placed(const void *tried) {
     return placed;
 }
 
-static void print_face_case(const void *failing) {
-    const struct face_case *c = failing;
-    print_face(&c->face);
-    printf("    light %.17g %.17g %.17g, %dx%d pixels\n", c->light.x, c->light.y, c->light.z,
-           c->width, c->height);
-}
-
-static const struct case_kind face_cases = {sizeof(struct face_case), make_face_case,
-                                            print_face_case};
+static const struct case_kind face_cases = {.size = sizeof(struct face_case),
+                                            .make = make_face_case};
 
 const struct property lesson04_properties[] = {
     PROPERTY("lesson04: light on a face", AGAINST_LONG_DOUBLE, 500000, face_cases,

@@ -101,6 +101,22 @@ static int called_drawn_twice(void) {
     return image_get(&called_sheet, 2, 2).r;
 }
 
+/* How many different depths are there inside a triangle with this depth at all corners? */
+static int called_depths_inside(double depth) {
+    const struct vertex v[3] = {{{10, 20}, depth}, {{2000, 300}, depth}, {{700, 1990}, depth}};
+    int count = 0;
+    called_begin(CALLED_SIDE, CALLED_SIDE, -INFINITY);
+    triangle(&called_canvas, v, rgb(1, 0, 0));
+    for (int i = 0; i < CALLED_SIDE * CALLED_SIDE; i++) {
+        bool is_new = called_depths[i] != -INFINITY;
+        for (int k = 0; k < i; k++) {
+            is_new = is_new && called_depths[k] != called_depths[i];
+        }
+        count += is_new;
+    }
+    return count;
+}
+
 /* ---- The depths as a picture ---- */
 
 /* Those of an image of 3 x 2 pixels. */
@@ -139,6 +155,8 @@ static void numbers(void) {
          "color 0, depth 0.2");
     AS_WHOLE("5.2", "triangle() in color 1, again in 2: color of pixel (2,2)", called_drawn_twice(),
              1);
+    AS_WHOLE("5.2", "triangle() with depth 0.25 at all corners: different depths",
+             called_depths_inside(0.25), 1);
     TEXT("5.3", "show_depths() of -0.238 0.566 0.2 -inf 0 0",
          called_greys(-0.238, 0.566, 0.2, none, 0, 0), "55 255 164 0 114 114");
     TEXT("5.3", "show_depths() of 7 7 7 -inf 7 7", called_greys(7, 7, 7, none, 7, 7),

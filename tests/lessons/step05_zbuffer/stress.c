@@ -5,17 +5,12 @@
 #include "upkeep/stress/lessons.h"
 #include "upkeep/stress/stress.h"
 
-#include <stdio.h>
 #include <string.h>
 
 /* ---- Triangles ---- */
 
 static void make_layers_case(struct random *random, uint64_t index, void *made) {
     make_layers(random, index, made);
-}
-
-static void print_layers_case(const void *failing) {
-    print_layers(failing);
 }
 
 /* There is nothing to skip: what is hidden has no colour to compute. */
@@ -84,17 +79,10 @@ static bool depth_levels_are_right(const void *tried) {
     return right;
 }
 
-static void print_depths(const void *failing) {
-    const struct depths_case *c = failing;
-    for (int i = 0; i < DEPTHS; i++) {
-        printf(i % DEPTHS_WIDTH == DEPTHS_WIDTH - 1 ? " %.17g\n" : "    %.17g", c->depth[i]);
-    }
-}
-
-static const struct case_kind layers_cases = {sizeof(struct layers), make_layers_case,
-                                              print_layers_case};
-static const struct case_kind depths_cases = {sizeof(struct depths_case), make_depths,
-                                              print_depths};
+static const struct case_kind layers_cases = {.size = sizeof(struct layers),
+                                              .make = make_layers_case};
+static const struct case_kind depths_cases = {.size = sizeof(struct depths_case),
+                                              .make = make_depths};
 
 const struct property lesson05_properties[] = {
     PROPERTY("lesson05: nearest triangle, depths", AGAINST_LONG_DOUBLE, 100000, layers_cases,

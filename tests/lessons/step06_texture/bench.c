@@ -6,15 +6,9 @@
  * no texture takes part in it. Ways to find the coordinates are held against the same texels, found
  * in long double: there a sampler's own error does not count.
  */
+#include "bench/bench.h"
 #include "texture.h"
 
-/* A compiler inlines a small function where few call it. Here many versions do, and none of them
- * shall have less of it than main.c has alone. */
-#if defined(__GNUC__)
-#define INLINED static inline __attribute__((always_inline))
-#else
-#define INLINED static inline
-#endif
 struct neighbours;
 struct quotients;
 INLINED struct color sample_nearest(const struct texture *texture, struct vec2 uv);
@@ -29,7 +23,6 @@ INLINED struct vec2 plane_uv(const struct quotients *plane, int x, int y, double
 
 #include "../../../step06_texture/attempts.h"
 
-#include "bench/bench.h"
 #include "oracle/oracle.h"
 
 #include <stdlib.h>
@@ -238,22 +231,9 @@ static struct vec3 hill_mean(size_t column, size_t row, size_t side) {
     return vec3_scale(sum, 1.0 / (HILL_SAMPLES * HILL_SAMPLES));
 }
 
-static bool make_hill_texture(struct texture *texture, struct error *error) {
-    struct image image;
-    if (!image_create(&image, HILL_TEXELS, HILL_TEXELS, IMAGE_BGR, error)) {
-        return false;
-    }
-    for (size_t y = 0; y < HILL_TEXELS; y++) {
-        for (size_t x = 0; x < HILL_TEXELS; x++) {
-            struct vec3 c = hill_mean(x, y, HILL_TEXELS);
-            image_set(&image, (int)x, (int)y,
-                      color_rgb(level_from(c.x), level_from(c.y), level_from(c.z)));
-        }
-    }
-    bool done = texture_create(texture, &image, error);
-    texture_set_clamp(texture, true);
-    image_free(&image);
-    return done;
+static struct color hill_texel(int x, int y) {
+    struct vec3 c = hill_mean((size_t)x, (size_t)y, HILL_TEXELS);
+    return color_rgb(level_from(c.x), level_from(c.y), level_from(c.z));
 }
 
 /* ---- Setting up ---- */
@@ -273,9 +253,11 @@ static void target_free(struct target *target) {
 }
 
 static bool make_hill(struct target *hill, struct error *error) {
-    if (!target_create(hill, HILL_SIDE, error) || !make_hill_texture(&hill->texture, error)) {
+    if (!target_create(hill, HILL_SIDE, error) ||
+        !make_square(&hill->texture, HILL_TEXELS, hill_texel, error)) {
         return false;
     }
+    texture_set_clamp(&hill->texture, true);
     const int32_t end = HILL_SIDE * SUBPIXELS;
     hill->corners[0] = (struct vertex){.position = {0, 0}, .uv = {0, 0}, .recip_w = 1};
     hill->corners[1] = (struct vertex){.position = {end, 0}, .uv = {1, 0}, .recip_w = 1};
@@ -442,12 +424,5 @@ static const struct bench_panel bench_panels[] = {
      .house_within = BENCH_EXACT},
 };
 
-const struct bench_lesson bench_step06 = {
-    .step = "step06_texture",
-    .title = "Step 6: textures",
-    .state_size = sizeof(struct work),
-    .setup = setup,
-    .teardown = teardown,
-    .panels = bench_panels,
-    .panel_count = sizeof bench_panels / sizeof bench_panels[0],
-};
+const struct bench_lesson bench_step06 =
+    BENCH_LESSON("step06_texture", "Step 6: textures", struct work, setup, teardown, bench_panels);

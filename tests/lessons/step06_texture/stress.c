@@ -5,7 +5,6 @@
 #include "upkeep/stress/lessons.h"
 #include "upkeep/stress/stress.h"
 
-#include <stdio.h>
 #include <string.h>
 
 struct color lesson06_nearest(const struct texture *texture, struct vec2 uv) {
@@ -96,16 +95,6 @@ static bool textured_is_right(const void *tried) {
     return layers_are_right(&layered);
 }
 
-static void print_textured(const void *failing) {
-    const struct texture_case *c = failing;
-    print_layers(&c->layers);
-    for (int i = 0; i < LAYER_COUNT; i++) {
-        const struct vec2 *uv = c->uv[i];
-        printf("    uv (%.17g %.17g) (%.17g %.17g) (%.17g %.17g), intensity %.17g\n", uv[0].x,
-               uv[0].y, uv[1].x, uv[1].y, uv[2].x, uv[2].y, c->intensity[i]);
-    }
-}
-
 /* ---- Mip levels ---- */
 
 struct mip_case {
@@ -154,12 +143,6 @@ static bool mip_is_right(const void *tried) {
     bool power_of_two = level == floorl(level);
     return (long double)got <= exact + 1e-12L &&
            (long double)got >= (power_of_two ? exact : least) - 1e-12L;
-}
-
-static void print_mip(const void *failing) {
-    const struct mip_case *c = failing;
-    printf("    right %.17g %.17g, up %.17g %.17g, of %zux%zu texels, %zu levels\n", c->right.x,
-           c->right.y, c->up.x, c->up.y, c->width, c->height, c->level_count);
 }
 
 /* ---- Triangles in perspective ---- */
@@ -287,19 +270,11 @@ static bool perspective_is_right(const void *tried) {
     return right;
 }
 
-static void print_perspective(const void *failing) {
-    const struct perspective_case *c = failing;
-    for (int i = 0; i < 3; i++) {
-        printf("    corner (%d %d)/256, uv %.17g %.17g, 1/w %.17g\n", (int)c->corner[i].x,
-               (int)c->corner[i].y, c->uv[i].x, c->uv[i].y, c->recip_w[i]);
-    }
-}
-
-static const struct case_kind textured_cases = {sizeof(struct texture_case), make_textured,
-                                                print_textured};
-static const struct case_kind mip_cases = {sizeof(struct mip_case), make_mip, print_mip};
-static const struct case_kind perspective_cases = {sizeof(struct perspective_case),
-                                                   make_perspective, print_perspective};
+static const struct case_kind textured_cases = {.size = sizeof(struct texture_case),
+                                                .make = make_textured};
+static const struct case_kind mip_cases = {.size = sizeof(struct mip_case), .make = make_mip};
+static const struct case_kind perspective_cases = {.size = sizeof(struct perspective_case),
+                                                   .make = make_perspective};
 
 const struct property lesson06_properties[] = {
     PROPERTY("lesson06: texture, nearest triangle", AGAINST_LONG_DOUBLE, 100000, textured_cases,

@@ -4,15 +4,9 @@
  * The exact answer is the true sphere in long double: its normal is the point itself. One panel has
  * diffuse light, n . l. The other has a highlight, (r . v)^8 as in scene lit, which changes faster.
  */
+#include "bench/bench.h"
 #include "geometry.h"
 
-/* A compiler inlines a small function where few call it. Here many versions do, and none of them
- * shall have less of it than main.c has alone. */
-#if defined(__GNUC__)
-#define INLINED static inline __attribute__((always_inline))
-#else
-#define INLINED static inline
-#endif
 INLINED double corner_intensity(struct vec3 normal, struct vec3 to_light);
 INLINED double integer_power(double base, int power);
 
@@ -21,8 +15,6 @@ INLINED double integer_power(double base, int power);
 
 #include "../../../step07_gouraud/attempts.h"
 
-#include "bench/bench.h"
-
 #include <stdlib.h>
 #include <string.h>
 
@@ -30,13 +22,10 @@ enum { SIDE = 512, MESH_COUNT = 5, SHINE_POWER = 8 };
 enum { DIFFUSE, HIGHLIGHT, LIGHT_COUNT };
 enum { FLAT, GOURAUD, PER_PIXEL, WAY_COUNT };
 
-/* The side of a sphere that faces the viewer, as triangles that share their corners. */
+/* The side of a sphere that faces the viewer. */
 struct mesh {
-    size_t corner_count, face_count;
-    struct vec3 *normals;      /* of the corners: on a sphere they are the places themselves */
-    struct vertex *vertices;   /* the corners on the screen; each run fills in intensities */
-    struct vec3 *face_normals; /* of length 1 */
-    uint32_t (*faces)[3];      /* corners */
+    struct attempt_face *faces;
+    size_t count;
 };
 
 struct work {
@@ -73,7 +62,7 @@ INLINED double intensity_at(struct vec3 weight, const struct vertex v[3], const 
     return light_on(normal, light, kind);
 }
 
-/* triangle() of main.c, line by line, but for the intensity. */
+/* triangle() of main.c, line by line, except for the intensity. */
 INLINED void shaded_triangle(struct canvas *canvas, const struct edges *edges,
                              const struct vertex v[3], const struct vec3 n[3], struct vec3 light,
                              int way, int kind) {
@@ -95,42 +84,33 @@ INLINED void shaded_triangle(struct canvas *canvas, const struct edges *edges,
     }
 }
 
-/* What has to be known before a pixel: the intensity of every corner, or of every face. */
-INLINED void light_corners(struct mesh *mesh, struct vec3 light, int way, int kind) {
-    for (size_t i = 0; i < mesh->corner_count && way == GOURAUD; i++) {
-        mesh->vertices[i].intensity = light_on(mesh->normals[i], light, kind);
-    }
-}
-
-INLINED void shaded_mesh(struct canvas *canvas, struct mesh *mesh, struct vec3 light, int way,
+INLINED void shaded_mesh(struct canvas *canvas, const struct mesh *mesh, struct vec3 light, int way,
                          int kind) {
-    light_corners(mesh, light, way, kind);
-    for (size_t i = 0; i < mesh->face_count; i++) {
-        struct vertex v[3];
-        struct vec3 n[3];
+    for (size_t i = 0; i < mesh->count; i++) {
+        const struct attempt_face *face = &mesh->faces[i];
+        struct vertex v[3] = {face->vertices[0], face->vertices[1], face->vertices[2]};
         struct edges edges;
-        for (int k = 0; k < 3; k++) {
-            v[k] = mesh->vertices[mesh->faces[i][k]];
-            n[k] = mesh->normals[mesh->faces[i][k]];
-        }
         if (!edges_setup(&edges, v[0].position, v[1].position, v[2].position, SIDE, SIDE)) {
             continue;
+        }
+        for (int k = 0; k < 3 && way == GOURAUD; k++) {
+            v[k].intensity = light_on(face->normals[k], light, kind);
         }
         if (way == GOURAUD) {
             triangle(canvas, &edges, v);
             continue;
         }
         if (way == FLAT) {
-            v[0].intensity = light_on(mesh->face_normals[i], light, kind);
+            v[0].intensity = light_on(face->face_normal, light, kind);
         }
-        shaded_triangle(canvas, &edges, v, n, light, way, kind);
+        shaded_triangle(canvas, &edges, v, face->normals, light, way, kind);
     }
 }
 
-typedef void mesh_function(struct canvas *canvas, struct mesh *mesh, struct vec3 light);
+typedef void mesh_function(struct canvas *canvas, const struct mesh *mesh, struct vec3 light);
 
 #define WAY(name, way, kind)                                                                       \
-    static void name(struct canvas *canvas, struct mesh *mesh, struct vec3 light) {                \
+    static void name(struct canvas *canvas, const struct mesh *mesh, struct vec3 light) {          \
         shaded_mesh(canvas, mesh, light, way, kind);                                               \
     }
 WAY(flat_diffuse, FLAT, DIFFUSE)
@@ -191,81 +171,27 @@ static double units(const void *state, int base) {
 /* A canvas, first, so that attempt_sphere() can hand it on, and where its faces are collected. */
 struct collector {
     struct canvas canvas;
-    struct attempt_face *faces;
-    size_t count;
+    struct mesh *mesh;
 };
 
 static void collect_face(struct canvas *canvas, struct attempt_face *face, struct vec3 light) {
-    struct collector *collector = (struct collector *)canvas;
+    struct mesh *mesh = ((struct collector *)canvas)->mesh;
     (void)light;
-    collector->faces[collector->count++] = *face;
-}
-
-static int compare_places(const void *a, const void *b) {
-    return memcmp(a, b, sizeof(struct vec3));
-}
-
-/* Keep each place once. */
-static size_t keep_once(struct vec3 *places, size_t count) {
-    size_t kept = 0;
-    qsort(places, count, sizeof *places, compare_places);
-    for (size_t i = 0; i < count; i++) {
-        if (kept == 0 || compare_places(&places[kept - 1], &places[i]) != 0) {
-            places[kept++] = places[i];
-        }
-    }
-    return kept;
-}
-
-static bool mesh_allocate(struct mesh *mesh, size_t face_count, struct error *error) {
-    mesh->face_count = face_count;
-    mesh->normals = calloc(3 * face_count, sizeof *mesh->normals);
-    mesh->vertices = calloc(3 * face_count, sizeof *mesh->vertices);
-    mesh->face_normals = calloc(face_count, sizeof *mesh->face_normals);
-    mesh->faces = calloc(face_count, sizeof *mesh->faces);
-    return (mesh->normals != NULL && mesh->vertices != NULL && mesh->face_normals != NULL &&
-            mesh->faces != NULL) ||
-           error_out_of_memory(error);
-}
-
-/* Corners of neighbours are the same numbers, to the last bit (and -0 nowhere): they become one. */
-static bool make_mesh(struct mesh *mesh, const struct attempt_face *faces, size_t count,
-                      struct error *error) {
-    if (!mesh_allocate(mesh, count, error)) {
-        return false;
-    }
-    for (size_t i = 0; i < 3 * count; i++) {
-        mesh->normals[i] = faces[i / 3].normals[i % 3];
-    }
-    mesh->corner_count = keep_once(mesh->normals, 3 * count);
-    for (size_t i = 0; i < 3 * count; i++) {
-        const struct attempt_face *face = &faces[i / 3];
-        const struct vec3 *found = bsearch(&face->normals[i % 3], mesh->normals, mesh->corner_count,
-                                           sizeof *mesh->normals, compare_places);
-        size_t corner = (size_t)(found - mesh->normals);
-        mesh->faces[i / 3][i % 3] = (uint32_t)corner;
-        mesh->vertices[corner] = face->vertices[i % 3];
-        mesh->face_normals[i / 3] = face->face_normal;
-    }
-    return true;
+    mesh->faces[mesh->count++] = *face;
 }
 
 /* Of 128, 512, 2,048, 8,192 and 32,768 triangles; those that face the viewer are kept. */
 static bool make_meshes(struct work *work, struct error *error) {
-    struct canvas canvas = {.width = SIDE, .height = SIDE, .depth = work->depth};
-    size_t most = 8 << 2 * (MESH_COUNT + 1);
-    struct attempt_face *faces = malloc(most * sizeof *faces);
-    if (faces == NULL) {
-        return error_out_of_memory(error);
-    }
-    bool done = true;
-    for (int i = 0; done && i < MESH_COUNT; i++) {
-        struct collector collector = {canvas, faces, 0};
+    for (int i = 0; i < MESH_COUNT; i++) {
+        struct mesh *mesh = &work->meshes[i];
+        struct collector collector = {{.width = SIDE, .height = SIDE, .depth = work->depth}, mesh};
+        mesh->faces = malloc((8U << 2 * (i + 2)) * sizeof *mesh->faces);
+        if (mesh->faces == NULL) {
+            return error_out_of_memory(error);
+        }
         attempt_sphere(&collector.canvas, i + 2, work->light, collect_face);
-        done = make_mesh(&work->meshes[i], faces, collector.count, error);
     }
-    free(faces);
-    return done;
+    return true;
 }
 
 /* ---- Setting up ---- */
@@ -312,17 +238,10 @@ static bool setup(void *state, struct error *error) {
     return make_meshes(work, error);
 }
 
-static void mesh_free(struct mesh *mesh) {
-    free(mesh->normals);
-    free(mesh->vertices);
-    free(mesh->face_normals);
-    free(mesh->faces);
-}
-
 static void teardown(void *state) {
     struct work *work = state;
     for (int i = 0; i < MESH_COUNT; i++) {
-        mesh_free(&work->meshes[i]);
+        free(work->meshes[i].faces);
     }
     image_free(&work->image);
     free(work->depth);
@@ -370,12 +289,5 @@ static const struct bench_panel bench_panels[] = {
      .series = series},
 };
 
-const struct bench_lesson bench_step07 = {
-    .step = "step07_gouraud",
-    .title = "Step 7: light on a round body",
-    .state_size = sizeof(struct work),
-    .setup = setup,
-    .teardown = teardown,
-    .panels = bench_panels,
-    .panel_count = sizeof bench_panels / sizeof bench_panels[0],
-};
+const struct bench_lesson bench_step07 = BENCH_LESSON(
+    "step07_gouraud", "Step 7: light on a round body", struct work, setup, teardown, bench_panels);

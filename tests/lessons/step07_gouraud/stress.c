@@ -5,8 +5,6 @@
 #include "upkeep/stress/lessons.h"
 #include "upkeep/stress/stress.h"
 
-#include <stdio.h>
-
 /* ---- Light at a corner ---- */
 
 struct corner_case {
@@ -58,17 +56,6 @@ static double parts_error(const void *tried) {
     long double second = fabsl(specular - (long double)got.specular) / (1 + m->specular_power);
     long double third = fabsl(fmaxl(facing, 0) - (long double)intensity);
     return (double)(first + second + third) * 0x1p52;
-}
-
-static void print_corner(const void *failing) {
-    const struct corner_case *c = failing;
-    const struct vec3 v[] = {c->position, c->normal, c->light, c->camera};
-    static const char *const names[] = {"position", "normal", "light", "camera"};
-    for (int i = 0; i < 4; i++) {
-        printf("    %s %.17g %.17g %.17g\n", names[i], v[i].x, v[i].y, v[i].z);
-    }
-    printf("    weights %.17g %.17g, powers %d %d\n", c->material.diffuse, c->material.specular,
-           c->material.diffuse_power, c->material.specular_power);
 }
 
 /* ---- Between the corners ---- */
@@ -150,20 +137,10 @@ static bool smooth_is_right(const void *tried) {
     return layers_are_right(&layered);
 }
 
-static void print_smooth(const void *failing) {
-    const struct smooth_case *c = failing;
-    print_layers(&c->layers);
-    for (int i = 0; i < LAYER_COUNT * 3; i++) {
-        const double *value = c->value[i / 3][i % 3];
-        printf("    corner %d of %d: %.17g %.17g %.17g\n", i % 3, i / 3, value[0], value[1],
-               value[2]);
-    }
-}
-
-static const struct case_kind corner_cases = {sizeof(struct corner_case), make_corner,
-                                              print_corner};
-static const struct case_kind smooth_cases = {sizeof(struct smooth_case), make_smooth,
-                                              print_smooth};
+static const struct case_kind corner_cases = {.size = sizeof(struct corner_case),
+                                              .make = make_corner};
+static const struct case_kind smooth_cases = {.size = sizeof(struct smooth_case),
+                                              .make = make_smooth};
 
 const struct property lesson07_properties[] = {
     PROPERTY("lesson07: light at a corner", AGAINST_LONG_DOUBLE, 300000, corner_cases,

@@ -1,9 +1,8 @@
 /*
- * Step 8: precision on the way to the screen, inverses, perspective inside a triangle, clipping.
+ * Step 8: precision on the way to the screen, inverses, clipping.
  *
- * The exact answers are long double for positions and for the wall, fractions of 128-bit integers
- * for the inverses, and for the clipped picture a ray through every pixel, which needs no clipping
- * and no snapping.
+ * The exact answers are long double for positions, fractions of 128-bit integers for the inverses,
+ * and for the clipped picture a ray through every pixel, which needs no clipping and no snapping.
  */
 #define LESSON "../step08_projection/main.c"
 #include "lesson.h"
@@ -61,8 +60,6 @@ struct whole {
     int64_t m[4][4];
 };
 
-enum { TILES_SIDE = 256 };
-
 /* What a ray finds behind the centre of a pixel. */
 struct found {
     long double depth;     /* z/w; minus infinity where there is nothing */
@@ -81,8 +78,6 @@ struct work {
     struct whole whole[CONDITIONS][MATRICES];
     struct mat4 matrices[CONDITIONS][MATRICES], inverses[MATRICES];
     bool inverted[MATRICES];
-    struct texture tiles;
-    struct vertex wall[4];
     struct found *found; /* in scene closeup */
 };
 
@@ -346,102 +341,6 @@ static void make_matrices(struct work *work) {
     }
 }
 
-/* ---- Perspective inside a triangle: a wall ---- */
-
-typedef void draw_triangle(const struct canvas *canvas, const struct edges *edges,
-                           const struct vertex v[3]);
-
-enum wall { AFFINE, CORRECT };
-
-static draw_triangle *const walls[] = {[AFFINE] = attempt_15_affine_triangle, [CORRECT] = triangle};
-
-/* Where u = v = 0, and the sides along which u and v grow to 1. */
-static const struct vec3 wall_corner = {-0.9, -0.47, 1.07};
-static const struct vec3 wall_along_u = {1.83, 0, -2.97}, wall_along_v = {0, 0.9, 0};
-enum { WALL_DISTANCE = 2 /* of the camera */ };
-
-static void place_wall(struct work *work) {
-    static const struct vec2 uvs[4] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
-    struct mat4 to_clip = projection(WALL_DISTANCE);
-    for (int i = 0; i < 4; i++) {
-        struct vec2 uv = uvs[i];
-        struct vec3 p = vec3_add(vec3_scale(wall_along_u, uv.x), vec3_scale(wall_along_v, uv.y));
-        place(mat4_point(&to_clip, vec3_add(wall_corner, p)), &work->to_screen, &work->wall[i]);
-        work->wall[i].uv = uv;
-        work->wall[i].intensity = 1;
-    }
-}
-
-static void draw_corners(const struct canvas *canvas, draw_triangle *draw, const struct vertex *a,
-                         const struct vertex *b, const struct vertex *c) {
-    const struct vertex v[3] = {*a, *b, *c};
-    struct edges edges;
-    if (edges_setup(&edges, a->position, b->position, c->position, SIDE, SIDE)) {
-        draw(canvas, &edges, v);
-    }
-}
-
-static void run_wall(void *state, int choice) {
-    struct work *work = state;
-    struct canvas canvas = make_canvas(&work->drawing, &work->image, whole_image(&work->image));
-    const struct vertex *corner = work->wall;
-    canvas.texture = &work->tiles;
-    depth_clear(work->depth, (size_t)SIDE * SIDE);
-    place_wall(work);
-    draw_corners(&canvas, walls[choice], &corner[0], &corner[1], &corner[2]);
-    draw_corners(&canvas, walls[choice], &corner[0], &corner[2], &corner[3]);
-}
-
-/* Where the ray through the centre of a pixel meets the wall: one row of the two equations
- * corner + u along_u + v along_v = ndc w, where w = 1 - z / distance. */
-static void wall_equation(double corner, double along_u, double along_v, long double ndc,
-                          long double equation[3]) {
-    const long double scale = ndc / WALL_DISTANCE;
-    equation[0] = along_u + scale * wall_along_u.z;
-    equation[1] = along_v + scale * wall_along_v.z;
-    equation[2] = ndc - scale * wall_corner.z - corner;
-}
-
-static struct vec2 exact_wall_uv(int x, int y) {
-    long double a[3], b[3];
-    wall_equation(wall_corner.x, wall_along_u.x, wall_along_v.x, (x + 0.5L) * 2 / SIDE - 1, a);
-    wall_equation(wall_corner.y, wall_along_u.y, wall_along_v.y, (y + 0.5L) * 2 / SIDE - 1, b);
-    long double determinant = a[0] * b[1] - a[1] * b[0];
-    return (struct vec2){(double)((a[2] * b[1] - a[1] * b[2]) / determinant),
-                         (double)((a[0] * b[2] - a[2] * b[0]) / determinant)};
-}
-
-static double error_wall(void *state, int choice) {
-    struct work *work = state;
-    double sum = 0, pixels = 0;
-    (void)choice;
-    for (int i = 0; i < SIDE * SIDE; i++) {
-        if (!isinf(work->depth[i])) { /* drawn */
-            struct vec2 uv = exact_wall_uv(i % SIDE, i / SIDE);
-            double difference = image_get(&work->image, i % SIDE, i / SIDE).r -
-                                (double)shade(&work->tiles, uv, 1).r;
-            sum += difference * difference;
-            pixels++;
-        }
-    }
-    return sqrt(sum / pixels);
-}
-
-static bool make_wall_tiles(struct work *work, struct error *error) {
-    struct image image;
-    if (!image_create(&image, TILES_SIDE, TILES_SIDE, IMAGE_BGR, error)) {
-        return false;
-    }
-    for (int y = 0; y < TILES_SIDE; y++) {
-        for (int x = 0; x < TILES_SIDE; x++) {
-            image_set(&image, x, y, color_grey((x / 32 + y / 32) % 2 == 0 ? 230 : 60));
-        }
-    }
-    bool done = texture_create(&work->tiles, &image, error);
-    image_free(&image);
-    return done;
-}
-
 /* ---- Clipping: scene closeup ---- */
 
 enum { UNCLIPPED, LEFT_OUT, CLIPPED };
@@ -579,7 +478,7 @@ static bool make_state(struct work *work, struct error *error) {
 
 static bool setup(void *state, struct error *error) {
     struct work *work = state;
-    if (!make_state(work, error) || !make_views(work, error) || !make_wall_tiles(work, error)) {
+    if (!make_state(work, error) || !make_views(work, error)) {
         return false;
     }
     make_matrices(work);
@@ -594,7 +493,6 @@ static void teardown(void *state) {
     model_free(&work->model);
     image_free(&work->image);
     image_free(&work->small);
-    texture_free(&work->tiles);
     free_views(work);
     free(work->found);
 }
@@ -639,11 +537,6 @@ static const struct bench_version inverse_versions[] = {
     HOUSE_VERSION("2^48", INVERT(HOUSE_INVERSE, 4)),
 };
 
-static const struct bench_version wall_versions[] = {
-    VERSION("screen's weights (affine)", AFFINE),
-    HOUSE_VERSION("correct weights", CORRECT),
-};
-
 static const struct bench_version clip_versions[] = {
     VERSION("not clipped", UNCLIPPED),
     VERSION("crossing faces left out", LEFT_OUT),
@@ -669,13 +562,6 @@ static const struct bench_panel bench_panels[] = {
      .units = units_inverse,
      BENCH_VERSIONS(inverse_versions),
      .series = inverse_series},
-    {.title = "A wall with tiles that goes away from us",
-     .error_label = "levels, root mean square",
-     .time_label = "ms per frame",
-     .against = "long double",
-     .run = run_wall,
-     .error = error_wall,
-     BENCH_VERSIONS(wall_versions)},
     {.title = "Close up: faces reach behind the camera, 200x200 pixels",
      .error_label = "pixels wrong of 40,000",
      .time_label = "ms per frame",
@@ -685,12 +571,5 @@ static const struct bench_panel bench_panels[] = {
      BENCH_VERSIONS(clip_versions)},
 };
 
-const struct bench_lesson bench_step08 = {
-    .step = "step08_projection",
-    .title = "Step 8: perspective",
-    .state_size = sizeof(struct work),
-    .setup = setup,
-    .teardown = teardown,
-    .panels = bench_panels,
-    .panel_count = sizeof bench_panels / sizeof bench_panels[0],
-};
+const struct bench_lesson bench_step08 = BENCH_LESSON("step08_projection", "Step 8: perspective",
+                                                      struct work, setup, teardown, bench_panels);

@@ -1,5 +1,5 @@
-/* Step 8: its viewport() and lookat() are lent to cameras.c; here what is beyond the sides of the
- * view, and whole pictures. */
+/* Step 8: what is beyond the sides of the view, and whole pictures. Its lookat() has the text of
+ * the house version, which cameras.c tries. */
 #define LESSON "../step08_projection/main.c"
 #include "lesson.h"
 
@@ -7,16 +7,7 @@
 #include "upkeep/stress/soup.h"
 #include "upkeep/stress/stress.h"
 
-#include <stdio.h>
 #include <string.h>
-
-struct mat4 lesson08_viewport(size_t width, size_t height) {
-    return viewport(width, height);
-}
-
-struct mat4 lesson08_lookat(struct vec3 eye, struct vec3 center, struct vec3 up) {
-    return lookat(eye, center, up);
-}
 
 /* ---- Which sides a position is beyond ---- */
 
@@ -49,23 +40,11 @@ static bool sides_are_right(const void *tried) {
     return find_beyond(*p) == exact;
 }
 
-static void print_side(const void *failing) {
-    const struct vec4 *p = failing;
-    printf("    clip x %.17g y %.17g w %.17g\n", p->x, p->y, p->w);
-}
-
 /* ---- Soups: random faces in perspective, drawn by the lesson ---- */
 
 /* Images are small, so that the soup's guard band is the lesson's: NDC -64..64. */
 static void make_soup(struct random *random, uint64_t index, void *made) {
     *(struct soup_case *)made = (struct soup_case){random_bits(random), index % (SOUP_CAMERA + 1)};
-}
-
-static void print_soup_case(const void *failing) {
-    const struct soup_case *c = failing;
-    struct soup soup;
-    soup_make(&soup, c->seed, (enum soup_kind)c->kind);
-    soup_print(&soup);
 }
 
 /* What a soup shows at the corners: the same light and texture for a whole face, or the value as
@@ -74,7 +53,7 @@ enum look { LOOK_FACE, LOOK_INTENSITY, LOOK_U, LOOK_V };
 
 enum { SOUP_PIXELS = 26 * 26 };
 
-/* A soup with all that the lesson draws from, and what it draws on. */
+/* A soup with everything the lesson draws from, and what it draws on. */
 struct scenery {
     struct soup soup;
     float uv[SOUP_CORNERS][2], normal[SOUP_CORNERS][3];
@@ -236,8 +215,8 @@ static bool values_are_right(const void *tried) {
     return right;
 }
 
-static const struct case_kind side_cases = {sizeof(struct vec4), make_side, print_side};
-static const struct case_kind soup_cases = {sizeof(struct soup_case), make_soup, print_soup_case};
+static const struct case_kind side_cases = {.size = sizeof(struct vec4), .make = make_side};
+static const struct case_kind soup_cases = {sizeof(struct soup_case), make_soup, soup_print_case};
 
 const struct property lesson08_properties[] = {
     PROPERTY("lesson08: beyond which sides", AGAINST_LONG_DOUBLE, 300000, side_cases,

@@ -1,6 +1,6 @@
 /*
- * Lesson 9's benchmark: from simple_draw() to the pipeline; what is shaded, how a shader is called,
- * and by how many threads.
+ * Lesson 9's benchmark: from simple_draw() to the pipeline; how a shader is called, and by how many
+ * threads.
  *
  * All versions draw the same four busts, one behind another, and are judged by the same exact
  * picture: what is visible decided by whole numbers and double, its colours found in long double.
@@ -12,6 +12,7 @@
 #include "files/model_file.h"
 #include "files/normals.h"
 #include "oracle/oracle.h"
+#include "oracle/texels.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -41,21 +42,14 @@ static struct shader attempt_called(const struct shader *shader) {
     return called;
 }
 
-/* Shaded at once: every pixel that is nearest so far, though it may be hidden later. For that it says
- * that it discards pixels; but it never does. */
-SHADER(attempt_at_once, .varying_count = 3, .vertex = gouraud_textured_vertex,
-       .fragment = textured_fragment, .discards = true);
-
 /* simple_draw(); visible_draw() in one band, and in bands; the pipeline, which calls the shader for
- * several pixels, shades at once, or does neither; added where it has two threads. */
-enum { SIMPLE, ONE_BAND, BANDS, CALLED, AT_ONCE, VISIBLE, KINDS, TWO_THREADS = KINDS };
+ * several pixels, or doesn't; added where it has two threads. */
+enum { SIMPLE, ONE_BAND, BANDS, CALLED, VISIBLE, KINDS, TWO_THREADS = KINDS };
 
 static bool draw_by_pipeline(struct work *work, int kind, struct pipeline *p) {
     struct error error;
     struct shader called = attempt_called(&gouraud_textured);
-    const struct shader *shader = kind == CALLED    ? &called
-                                  : kind == AT_ONCE ? &attempt_at_once
-                                                    : &gouraud_textured;
+    const struct shader *shader = kind == CALLED ? &called : &gouraud_textured;
     pipeline_clear(p);
     return pipeline_draw(p, &work->call, shader, &work->uniforms, sizeof work->uniforms, &error) &&
            pipeline_finish(p, &work->image, &error);
@@ -129,35 +123,6 @@ static bool make_face(struct seen *seen, const struct work *work, size_t face) {
            !seen->edges.clockwise;
 }
 
-struct exact_place {
-    size_t lower, upper;
-    long double fraction;
-};
-
-static struct exact_place place_between(long double coordinate, size_t size) {
-    long double last = (long double)(size - 1), place = coordinate * (long double)size - 0.5L;
-    place = place < 0 ? 0 : place > last ? last : place;
-    size_t lower = (size_t)place;
-    return (struct exact_place){lower, lower + 1 < size ? lower + 1 : lower,
-                                place - (long double)lower};
-}
-
-/* A channel of the bilinear sample. */
-static long double exact_sample(const struct texture_level *level, long double u, long double v,
-                                int shift) {
-    struct exact_place x = place_between(u, level->width), y = place_between(v, level->height);
-    const uint32_t *lower = level->texels + y.lower * level->pitch;
-    const uint32_t *upper = level->texels + y.upper * level->pitch;
-    long double a = lower[x.lower] >> shift & 255, b = lower[x.upper] >> shift & 255;
-    long double c = upper[x.lower] >> shift & 255, d = upper[x.upper] >> shift & 255;
-    long double below = a + (b - a) * x.fraction, above = c + (d - c) * x.fraction;
-    return below + (above - below) * y.fraction;
-}
-
-static uint8_t exact_level(long double value) {
-    return value >= 255 ? 255 : value > 0 ? (uint8_t)(value + 0.5L) : 0;
-}
-
 /* The light of the face at a pixel. */
 static void exact_pixel(struct work *work, const struct seen *face, int x, int y) {
     const struct texture_level *level =
@@ -167,9 +132,10 @@ static void exact_pixel(struct work *work, const struct seen *face, int x, int y
         at[k] = oracle_interpolate(face->corner, face->recip_w, face->value[k], x, y);
     }
     uint8_t *pixel = work->exact.pixels + IMAGE_BGRA * ((size_t)y * SIDE + (size_t)x);
-    for (int k = 0; k < 3; k++) { /* blue, green, red */
-        pixel[k] = exact_level(exact_sample(level, at[0], at[1], 8 * k) * at[INTENSITY]);
-    }
+    struct real3 rgb = real3_bilinear(level, at[0], at[1]);
+    pixel[0] = level_from_real(rgb.z * at[INTENSITY]);
+    pixel[1] = level_from_real(rgb.y * at[INTENSITY]);
+    pixel[2] = level_from_real(rgb.x * at[INTENSITY]);
 }
 
 /* Each face over those that are farther. */
@@ -298,14 +264,6 @@ static const struct bench_version stage_versions[] = {
     HOUSE_VERSION("no call", VISIBLE),    HOUSE_VERSION("2 threads", TWO_THREADS + VISIBLE),
 };
 
-static const struct bench_version pipeline_versions[] = {
-    VERSION("at once", AT_ONCE),
-    VERSION("visible, called", CALLED),
-    HOUSE_VERSION("visible", VISIBLE),
-    VERSION("at once, 2 threads", TWO_THREADS + AT_ONCE),
-    HOUSE_VERSION("visible, 2 threads", TWO_THREADS + VISIBLE),
-};
-
 /* The house's error: a level in a thousand that is not the nearest. */
 static const struct bench_panel bench_panels[] = {
     {.title = "From your draw() to the pipeline: four busts one behind another, textured",
@@ -316,22 +274,7 @@ static const struct bench_panel bench_panels[] = {
      .error = error_of,
      BENCH_VERSIONS(stage_versions),
      .house_within = 0.001},
-    {.title = "The same by the pipeline: shaded at once, or only what is visible",
-     .error_label = "values of 0..255, mean",
-     .time_label = "ms per frame",
-     .against = "long double",
-     .run = run,
-     .error = error_of,
-     BENCH_VERSIONS(pipeline_versions),
-     .house_within = 0.001},
 };
 
-const struct bench_lesson bench_step09 = {
-    .step = "step09_shaders",
-    .title = "Step 9: shaders",
-    .state_size = sizeof(struct work),
-    .setup = setup,
-    .teardown = teardown,
-    .panels = bench_panels,
-    .panel_count = sizeof bench_panels / sizeof bench_panels[0],
-};
+const struct bench_lesson bench_step09 =
+    BENCH_LESSON("step09_shaders", "Step 9: shaders", struct work, setup, teardown, bench_panels);

@@ -66,16 +66,24 @@ static bool called_light_pixel(const void *called_uniforms, const double *varyin
 
 enum { CALLED_WIDTH = 3, CALLED_HEIGHT = 2 };
 
+/* Two rows of three numbers: "1 2 3 / 4 5 6". */
+static struct shown called_two_rows(const double values[CALLED_WIDTH * CALLED_HEIGHT], int count) {
+    struct shown shown = {""};
+    for (int i = 0; i < count; i++) {
+        const char *between = i == 0 ? "" : i == CALLED_WIDTH ? " / " : " ";
+        shown = show("%.150s%s%.4g", shown.text, between, values[i]);
+    }
+    return shown;
+}
+
 /* A triangle with the corners (0, 0), (8, 0) and (0, 8) over 3 x 2 pixels: what is in the image or,
  * where `depths`, in the depth buffer, which was `before`. The triangle's depth is 0.5, 1.5, 2.5 in
  * its columns, its varying 0, 80 and 160 at its corners. */
 static struct shown called_drawn(bool depths, double before, double recip_w, struct rectangle view,
                                  bool (*pixel)(const void *, const double *, struct vec3 *)) {
-    double depth[CALLED_WIDTH * CALLED_HEIGHT];
-    struct image image = {.pixels = NULL};
-    struct error error;
+    double depth[CALLED_WIDTH * CALLED_HEIGHT], shown[CALLED_WIDTH * CALLED_HEIGHT];
+    struct image image = black_image(CALLED_WIDTH, CALLED_HEIGHT);
     struct edges edges;
-    struct shown shown = {""};
     const struct simple_shader shader = {2, NULL, pixel};
     const struct canvas canvas = {&image, depth};
     const struct placed_face face = {
@@ -87,21 +95,14 @@ static struct shown called_drawn(bool depths, double before, double recip_w, str
     for (size_t i = 0; i < CALLED_WIDTH * CALLED_HEIGHT; i++) {
         depth[i] = before;
     }
-    if (!image_create(&image, CALLED_WIDTH, CALLED_HEIGHT, IMAGE_GREY, &error) ||
-        !edges_setup(&edges, face.position[0], face.position[1], face.position[2], CALLED_WIDTH,
-                     CALLED_HEIGHT)) {
-        return show("no image");
-    }
+    edges_setup(&edges, face.position[0], face.position[1], face.position[2], CALLED_WIDTH,
+                CALLED_HEIGHT);
     draw_pixels(&canvas, &view, &edges, &face, &shader, NULL);
     for (int i = 0; i < CALLED_WIDTH * CALLED_HEIGHT; i++) {
-        shown = show("%.150s%s%.4g", shown.text,
-                     i == 0              ? ""
-                     : i == CALLED_WIDTH ? " / "
-                                         : " ",
-                     depths ? depth[i] : image_get(&image, i % CALLED_WIDTH, i / CALLED_WIDTH).r);
+        shown[i] = depths ? depth[i] : image_get(&image, i % CALLED_WIDTH, i / CALLED_WIDTH).r;
     }
     image_free(&image);
-    return shown;
+    return called_two_rows(shown, CALLED_WIDTH * CALLED_HEIGHT);
 }
 
 /* ---- 9a.3 ---- */
@@ -134,14 +135,10 @@ enum { CALLED_SIDE = 128 };
 
 static struct shown called_asked_by_draw(enum cull cull) {
     static double depth[CALLED_SIDE * CALLED_SIDE];
-    struct image image = {.pixels = NULL};
-    struct error error;
+    struct image image = black_image(CALLED_SIDE, CALLED_SIDE);
     const struct canvas canvas = {&image, depth};
     const struct simple_shader shader = {2, called_asking_vertex, called_grey_pixel};
     const struct draw_call call = called_call_of(cull);
-    if (!image_create(&image, CALLED_SIDE, CALLED_SIDE, IMAGE_GREY, &error)) {
-        return show("no image");
-    }
     simple_draw(&canvas, &call, &shader, NULL);
     image_free(&image);
     return called_listed();
@@ -230,38 +227,28 @@ static struct shown called_grey_in_light(double x, double y, double z) {
 typedef lanes_mask called_fragment_function(const void *called_uniforms, const lanes *varyings,
                                             lanes_texel *color);
 
-static lanes_mask called_call_fragment(called_fragment_function *fragment, const struct uniforms *u,
-                                       int lane, const double *v, lanes_texel *color) {
+/* What a fragment function makes of three varyings: a colour, and whether it is drawn. */
+static struct shown called_shaded(called_fragment_function *fragment, const struct uniforms *u,
+                                  int lane, const double *v) {
     const lanes varyings[VARYING_LIMIT] = {in_one_lane(lane, v[0], 0.25),
                                            in_one_lane(lane, v[1], 0.25),
                                            in_one_lane(lane, v[2], 0.25)};
-    *color = lanes_black();
-    return fragment(u, varyings, color);
+    lanes_texel color = lanes_black();
+    bool is_drawn = lanes_is_set(fragment(u, varyings, &color), lane);
+    return fragment == lit_only_fragment ? show_truth(is_drawn)
+                                         : show_color(texel_lane(color, lane));
 }
 
-/* Three varyings each. */
-static struct shown called_white_in(int lane, const double *v) {
-    lanes_texel color;
-    called_call_fragment(white_fragment, &called_uniforms, lane, v, &color);
-    return show_color(texel_lane(color, lane));
+static called_fragment_function *called_fragment; /* that called_fragment_in() calls */
+
+static struct shown called_fragment_in(int lane, const double *v) {
+    return called_shaded(called_fragment, &called_uniforms, lane, v);
 }
 
-static struct shown called_textured_in(int lane, const double *v) {
-    lanes_texel color;
-    called_call_fragment(textured_fragment, &called_uniforms, lane, v, &color);
-    return show_color(texel_lane(color, lane));
-}
-
-static struct shown called_toon_in(int lane, const double *v) {
-    lanes_texel color;
-    called_call_fragment(toon_fragment, &called_uniforms, lane, v, &color);
-    return show_color(texel_lane(color, lane));
-}
-
-static struct shown called_lit_in(int lane, const double *v) {
-    lanes_texel color;
-    return show_truth(lanes_is_set(
-        called_call_fragment(lit_only_fragment, &called_uniforms, lane, v, &color), lane));
+static struct shown called_in_lanes(called_fragment_function *fragment, double a, double b,
+                                    double c) {
+    called_fragment = fragment;
+    return in_each_lane(called_fragment_in, (double[]){a, b, c});
 }
 
 /* Red, green, blue, intensity. */
@@ -279,12 +266,12 @@ static struct shown called_light_in(int lane, const double *v) {
 /* The map's colour. */
 static struct shown called_mapped_in(int lane, const double *v) {
     const struct uniforms u = called_mapped((int)v[0], (int)v[1], (int)v[2]);
-    lanes_texel color;
-    called_call_fragment(normal_map_fragment, &u, lane, (double[]){0.5, 0.25, 0.125}, &color);
-    return show_color(texel_lane(color, lane));
+    return called_shaded(normal_map_fragment, &u, lane, (double[]){0.5, 0.25, 0.125});
 }
 
-#define IN_LANES(function, ...) in_each_lane(function, (double[]){__VA_ARGS__})
+static struct shown called_mapped_in_lanes(int r, int g, int b) {
+    return in_each_lane(called_mapped_in, (double[]){r, g, b});
+}
 
 /* ---- Part d ---- */
 
@@ -312,16 +299,6 @@ static void called_keep_triangle(struct kept_face *kept, size_t face, double dep
     };
     const struct fixed2 *corner = kept->placed.position;
     edges_setup(&kept->edges, corner[0], corner[1], corner[2], CALLED_WIDTH, CALLED_HEIGHT);
-}
-
-/* Two rows of three numbers: "1 2 3 / 4 5 6". */
-static struct shown called_two_rows(const double values[CALLED_WIDTH * CALLED_HEIGHT], int count) {
-    struct shown shown = {""};
-    for (int i = 0; i < count; i++) {
-        const char *between = i == 0 ? "" : i == CALLED_WIDTH ? " / " : " ";
-        shown = show("%.150s%s%.4g", shown.text, between, values[i]);
-    }
-    return shown;
 }
 
 /* The numbers, or the depths, of a band after a face with number 7 is drawn. */
@@ -388,43 +365,58 @@ static struct shown called_drawn_visibly(int band_rows, enum called_part part) {
                                   : show("%d", nearest[CALLED_WIDTH] == 99 ? 1 : CALLED_HEIGHT);
 }
 
+#define PLACED(face, part, name, right)                                                            \
+    TEXT("9a.1", "place_face(call, " #face ", placed)" name, called_placed(face, part), right)
+#define DRAWN(name, depths, before, recip_w, view, pixel, right)                                   \
+    TEXT("9a.2", "draw_pixels() " name, called_drawn(depths, before, recip_w, view, pixel), right)
+#define ASKED(cull, right)                                                                         \
+    TEXT_WITH("9a.3", "simple_draw(), " #cull, called_asked_by_draw(cull), right,                  \
+              called_asked_of_placed(cull))
+#define PIXEL(task, pixel, a, right)                                                               \
+    AS_VECTOR(task, #pixel "(" #a ")", vec3, called_pixel_of(pixel, called_uniforms, a, 0, 0),     \
+              right)
+#define TOON(a, right, level)                                                                      \
+    TEXT_WITH("9c.2", "toon_fragment(" #a ")", called_in_lanes(toon_fragment, a, 0, 0), right,     \
+              IN_LANES(called_shade_in, 255, 155, 0, level))
+/* A map of one colour; the direction that it stands for, and the part of its light. */
+#define MAPPED_PIXEL(rgb, xyz, right)                                                              \
+    TEXT_WITH("9b.5", "normal_map_pixel() of " #rgb, called_mapped_pixel(called_mapped rgb),       \
+              right, called_grey_in_light xyz)
+#define MAPPED_FRAGMENT(rgb, part, right)                                                          \
+    TEXT_WITH("9c.3", "normal_map_fragment() of " #rgb, called_mapped_in_lanes rgb, right,         \
+              IN_LANES(called_shade_in, 100, 100, 100, part))
+#define KEPT(cull, right) TEXT("9d.1+9a.1", "keep_faces(), " #cull, called_kept(cull), right)
+#define COVERED(name, begin, depths, before, right)                                                \
+    TEXT("9d.2", "cover_face() " name, called_covered((struct span){begin, 2}, depths, before),    \
+         right)
+#define VISIBLE(task, name, rows, part, right)                                                     \
+    TEXT(task, name, called_drawn_visibly(rows, part), right)
+
 static void numbers(void) {
+    const double none = -INFINITY;
     const struct rectangle all = {0, 0, CALLED_WIDTH, CALLED_HEIGHT}, one = {1, 0, 1, 1};
     if (!called_make_textures()) {
         return;
     }
-    TEXT("9a.1", "place_face(call, 0, placed), position", called_placed(0, CALLED_POSITION),
-         "(60.5, 45.5) (111, -5.5) (85.75, 58.25)");
-    TEXT("9a.1", "place_face(call, 0, placed), depth", called_placed(0, CALLED_DEPTH),
-         "(0, 2, -1)");
-    TEXT("9a.1", "place_face(call, 0, placed), recip_w", called_placed(0, CALLED_RECIP_W),
-         "(1, 2, 0.5)");
-    TEXT("9a.1", "place_face(call, 1, placed)", called_placed(1, CALLED_POSITION), "false");
-    TEXT("9a.1", "place_face(call, 2, placed)", called_placed(2, CALLED_POSITION), "false");
-    TEXT("9a.1", "place_face(call, 3, placed)", called_placed(3, CALLED_POSITION), "false");
-    TEXT("9a.2", "draw_pixels() on 3 x 2 pixels",
-         called_drawn(false, -INFINITY, 1, all, called_grey_pixel), "15 25 35 / 35 45 55");
-    TEXT("9a.2", "draw_pixels() in perspective",
-         called_drawn(false, -INFINITY, 4, all, called_grey_pixel), "25 45 57 / 42 58 67");
-    TEXT("9a.2", "draw_pixels() over depths of 1.5",
-         called_drawn(false, 1.5, 1, all, called_grey_pixel), "0 0 35 / 0 0 55");
-    TEXT("9a.2", "draw_pixels() over depths of 1, depths",
-         called_drawn(true, 1, 4, all, called_grey_pixel), "1 1.5 2.5 / 1 1.5 2.5");
-    TEXT("9a.2", "draw_pixels() in a viewport of one pixel",
-         called_drawn(false, -INFINITY, 1, one, called_grey_pixel), "0 25 0 / 0 0 0");
-    TEXT("9a.2", "draw_pixels() that discards, depths",
-         called_drawn(true, 0, 1, all, called_light_pixel), "0 0 2.5 / 0.5 1.5 2.5");
-    TEXT_WITH("9a.3", "simple_draw(), CULL_BACK", called_asked_by_draw(CULL_BACK), "0:012 4:012",
-              called_asked_of_placed(CULL_BACK));
-    TEXT_WITH("9a.3", "simple_draw(), CULL_FRONT", called_asked_by_draw(CULL_FRONT), "5:012",
-              called_asked_of_placed(CULL_FRONT));
-    TEXT_WITH("9a.3", "simple_draw(), CULL_NONE", called_asked_by_draw(CULL_NONE),
-              "0:012 4:012 5:012", called_asked_of_placed(CULL_NONE));
+    PLACED(0, CALLED_POSITION, ", position", "(60.5, 45.5) (111, -5.5) (85.75, 58.25)");
+    PLACED(0, CALLED_DEPTH, ", depth", "(0, 2, -1)");
+    PLACED(0, CALLED_RECIP_W, ", recip_w", "(1, 2, 0.5)");
+    PLACED(1, CALLED_POSITION, "", "false");
+    PLACED(2, CALLED_POSITION, "", "false");
+    PLACED(3, CALLED_POSITION, "", "false");
+    DRAWN("on 3 x 2 pixels", false, none, 1, all, called_grey_pixel, "15 25 35 / 35 45 55");
+    DRAWN("in perspective", false, none, 4, all, called_grey_pixel, "25 45 57 / 42 58 67");
+    DRAWN("over depths of 1.5", false, 1.5, 1, all, called_grey_pixel, "0 0 35 / 0 0 55");
+    DRAWN("over depths of 1, depths", true, 1, 4, all, called_grey_pixel, "1 1.5 2.5 / 1 1.5 2.5");
+    DRAWN("in a viewport of one pixel", false, none, 1, one, called_grey_pixel, "0 25 0 / 0 0 0");
+    DRAWN("that discards, depths", true, 0, 1, all, called_light_pixel, "0 0 2.5 / 0.5 1.5 2.5");
+    ASKED(CULL_BACK, "0:012 4:012");
+    ASKED(CULL_FRONT, "5:012");
+    ASKED(CULL_NONE, "0:012 4:012 5:012");
     REAL("9b.1", lambert(xyz(0, 0, 2), xyz(0.6, 0, 0.8)), 0.8);
     REAL("9b.1", lambert(xyz(3, 0, 4), xyz(0.6, 0, 0.8)), 1);
     REAL("9b.1", lambert(xyz(0, 0, -2), xyz(0.6, 0, 0.8)), 0);
-    AS_VECTOR("9b.2", "white_pixel(0.5)", vec3,
-              called_pixel_of(white_pixel, called_uniforms, 0.5, 0, 0), xyz(127.5, 127.5, 127.5));
+    PIXEL("9b.2", white_pixel, 0.5, xyz(127.5, 127.5, 127.5));
     TEXT_WITH("9b.2", "flat_vertex(face of normal (0, 0, 4))",
               called_first_varyings(flat_vertex, CALLED_FRONT, 1, 1), "0.8",
               called_light_on(xyz(0, 0, 4)));
@@ -436,23 +428,13 @@ static void numbers(void) {
     AS_VECTOR("9b.3", "textured_pixel(0.5, 0.25, 0.6)", vec3,
               called_pixel_of(textured_pixel, called_uniforms, 0.5, 0.25, 0.6),
               xyz(120.3, 60.3, 30.3));
-    AS_VECTOR("9b.4", "toon_pixel(0.8001)", vec3,
-              called_pixel_of(toon_pixel, called_uniforms, 0.8001, 0, 0), xyz(255, 155, 0));
-    AS_VECTOR("9b.4", "toon_pixel(0.7999)", vec3,
-              called_pixel_of(toon_pixel, called_uniforms, 0.7999, 0, 0), xyz(191.25, 116.25, 0));
-    AS_VECTOR("9b.4", "toon_pixel(0.1999)", vec3,
-              called_pixel_of(toon_pixel, called_uniforms, 0.1999, 0, 0), xyz(0, 0, 0));
-    AS_VECTOR("9b.4", "toon_pixel(1)", vec3, called_pixel_of(toon_pixel, called_uniforms, 1, 0, 0),
-              xyz(255, 155, 0));
-    TEXT_WITH("9b.5", "normal_map_pixel() of (255, 128, 128)",
-              called_mapped_pixel(called_mapped(255, 128, 128)), "29,29,29",
-              called_grey_in_light(1, 0, 0));
-    TEXT_WITH("9b.5", "normal_map_pixel() of (128, 255, 128)",
-              called_mapped_pixel(called_mapped(128, 255, 128)), "43,43,43",
-              called_grey_in_light(0, 1, 0));
-    TEXT_WITH("9b.5", "normal_map_pixel() of (128, 128, 255)",
-              called_mapped_pixel(called_mapped(128, 128, 255)), "86,86,86",
-              called_grey_in_light(0, 0, 1));
+    PIXEL("9b.4", toon_pixel, 0.8001, xyz(255, 155, 0));
+    PIXEL("9b.4", toon_pixel, 0.7999, xyz(191.25, 116.25, 0));
+    PIXEL("9b.4", toon_pixel, 0.1999, xyz(0, 0, 0));
+    PIXEL("9b.4", toon_pixel, 1, xyz(255, 155, 0));
+    MAPPED_PIXEL((255, 128, 128), (1, 0, 0), "29,29,29");
+    MAPPED_PIXEL((128, 255, 128), (0, 1, 0), "43,43,43");
+    MAPPED_PIXEL((128, 128, 255), (0, 0, 1), "86,86,86");
     TEXT("9b.6", "two_sided_vertex(face of normal (0, 0, 4))",
          called_first_varyings(two_sided_vertex, CALLED_FRONT, 1, 1), "0.8");
     TEXT("9b.6", "two_sided_vertex(face of normal (0, 0, -4))",
@@ -462,53 +444,37 @@ static void numbers(void) {
          "true");
     TEXT("9c.1", "shade((200, 100, 50), 0.6)", IN_LANES(called_shade_in, 200, 100, 50, 0.6),
          "120,60,30");
-    TEXT("9c.1", "white_fragment(0.6)", IN_LANES(called_white_in, 0.6, 0, 0), "153,153,153");
-    TEXT("9c.1", "textured_fragment(0.5, 0.25, 0.6)", IN_LANES(called_textured_in, 0.5, 0.25, 0.6),
-         "120,60,30");
-    TEXT_WITH("9c.2", "toon_fragment(0.8001)", IN_LANES(called_toon_in, 0.8001, 0, 0), "255,155,0",
-              IN_LANES(called_shade_in, 255, 155, 0, 1));
-    TEXT_WITH("9c.2", "toon_fragment(0.7999)", IN_LANES(called_toon_in, 0.7999, 0, 0), "191,116,0",
-              IN_LANES(called_shade_in, 255, 155, 0, 0.75));
-    TEXT_WITH("9c.2", "toon_fragment(0.1999)", IN_LANES(called_toon_in, 0.1999, 0, 0), "0,0,0",
-              IN_LANES(called_shade_in, 255, 155, 0, 0));
-    TEXT_WITH("9c.2", "toon_fragment(1)", IN_LANES(called_toon_in, 1, 0, 0), "255,155,0",
-              IN_LANES(called_shade_in, 255, 155, 0, 1));
+    TEXT("9c.1", "white_fragment(0.6)", called_in_lanes(white_fragment, 0.6, 0, 0), "153,153,153");
+    TEXT("9c.1", "textured_fragment(0.5, 0.25, 0.6)",
+         called_in_lanes(textured_fragment, 0.5, 0.25, 0.6), "120,60,30");
+    TOON(0.8001, "255,155,0", 1);
+    TOON(0.7999, "191,116,0", 0.75);
+    TOON(0.1999, "0,0,0", 0);
+    TOON(1, "255,155,0", 1);
     TEXT("9c.3", "lambert_lanes((0, 0, 2), (0.6, 0, 0.8))", IN_LANES(called_light_in, 0, 0, 2),
          "0.8");
     TEXT("9c.3", "lambert_lanes((0, 0, -2), (0.6, 0, 0.8))", IN_LANES(called_light_in, 0, 0, -2),
          "0");
-    TEXT_WITH("9c.3", "normal_map_fragment() of (255, 128, 128)",
-              IN_LANES(called_mapped_in, 255, 128, 128), "29,29,29",
-              IN_LANES(called_shade_in, 100, 100, 100, 2.0 / 7));
-    TEXT_WITH("9c.3", "normal_map_fragment() of (128, 255, 128)",
-              IN_LANES(called_mapped_in, 128, 255, 128), "43,43,43",
-              IN_LANES(called_shade_in, 100, 100, 100, 3.0 / 7));
-    TEXT_WITH("9c.3", "normal_map_fragment() of (128, 128, 255)",
-              IN_LANES(called_mapped_in, 128, 128, 255), "86,86,86",
-              IN_LANES(called_shade_in, 100, 100, 100, 6.0 / 7));
-    TEXT("9c.4", "lit_only_fragment(0)", IN_LANES(called_lit_in, 0, 0, 0), "false");
-    TEXT("9c.4", "lit_only_fragment(0.001)", IN_LANES(called_lit_in, 0.001, 0, 0), "true");
-    TEXT("9d.1+9a.1", "keep_faces(), CULL_NONE", called_kept(CULL_NONE), "0 4 5");
-    TEXT("9d.1+9a.1", "keep_faces(), CULL_BACK", called_kept(CULL_BACK), "0 4");
-    TEXT("9d.1+9a.1", "keep_faces(), CULL_FRONT", called_kept(CULL_FRONT), "5");
-    TEXT("9d.2", "cover_face() with number 7: numbers",
-         called_covered((struct span){0, 2}, false, -INFINITY), "7 7 7 / 7 7 7");
-    TEXT("9d.2", "cover_face() over depth 1: numbers",
-         called_covered((struct span){0, 2}, false, 1), "0 7 7 / 0 7 7");
-    TEXT("9d.2", "cover_face() over depth 1: depths", called_covered((struct span){0, 2}, true, 1),
-         "1 1.5 2.5 / 1 1.5 2.5");
-    TEXT("9d.2", "cover_face() over depth 1.5: numbers",
-         called_covered((struct span){0, 2}, false, 1.5), "0 0 7 / 0 0 7");
-    TEXT("9d.2", "cover_face() in a band of row 1: numbers",
-         called_covered((struct span){1, 2}, false, 1), "0 7 7");
-    TEXT("9d.3", "shade_band() of 1 0 1 / 0 2 1", called_drawn_visibly(0, CALLED_GREYS),
-         "15 0 35 / 0 145 55");
-    TEXT("9d.3", "shade_band() of 1 0 1 / 0 2 1: calls", called_drawn_visibly(0, CALLED_CALLS),
-         "6 corners, 4 pixels");
-    TEXT("9d.4+9d.2,9d.3", "visible_draw() in bands of 1 row",
-         called_drawn_visibly(1, CALLED_GREYS), "172 182 192 / 35 45 55");
-    TEXT("9d.4+9d.2,9d.3", "visible_draw() in bands of 1 row: calls",
-         called_drawn_visibly(1, CALLED_CALLS), "6 corners, 6 pixels");
-    TEXT("9d.4+9d.2,9d.3", "visible_draw() in bands of 1 row: rows of memory",
-         called_drawn_visibly(1, CALLED_ROWS), "1");
+    MAPPED_FRAGMENT((255, 128, 128), 2.0 / 7, "29,29,29");
+    MAPPED_FRAGMENT((128, 255, 128), 3.0 / 7, "43,43,43");
+    MAPPED_FRAGMENT((128, 128, 255), 6.0 / 7, "86,86,86");
+    TEXT("9c.4", "lit_only_fragment(0)", called_in_lanes(lit_only_fragment, 0, 0, 0), "false");
+    TEXT("9c.4", "lit_only_fragment(0.001)", called_in_lanes(lit_only_fragment, 0.001, 0, 0),
+         "true");
+    KEPT(CULL_NONE, "0 4 5");
+    KEPT(CULL_BACK, "0 4");
+    KEPT(CULL_FRONT, "5");
+    COVERED("with number 7: numbers", 0, false, none, "7 7 7 / 7 7 7");
+    COVERED("over depth 1: numbers", 0, false, 1, "0 7 7 / 0 7 7");
+    COVERED("over depth 1: depths", 0, true, 1, "1 1.5 2.5 / 1 1.5 2.5");
+    COVERED("over depth 1.5: numbers", 0, false, 1.5, "0 0 7 / 0 0 7");
+    COVERED("in a band of row 1: numbers", 1, false, 1, "0 7 7");
+    VISIBLE("9d.3", "shade_band() of 1 0 1 / 0 2 1", 0, CALLED_GREYS, "15 0 35 / 0 145 55");
+    VISIBLE("9d.3", "shade_band() of 1 0 1 / 0 2 1: calls", 0, CALLED_CALLS, "6 corners, 4 pixels");
+    VISIBLE("9d.4+9d.2,9d.3", "visible_draw() in bands of 1 row", 1, CALLED_GREYS,
+            "172 182 192 / 35 45 55");
+    VISIBLE("9d.4+9d.2,9d.3", "visible_draw() in bands of 1 row: calls", 1, CALLED_CALLS,
+            "6 corners, 6 pixels");
+    VISIBLE("9d.4+9d.2,9d.3", "visible_draw() in bands of 1 row: rows of memory", 1, CALLED_ROWS,
+            "1");
 }

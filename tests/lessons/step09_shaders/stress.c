@@ -5,8 +5,6 @@
 #include "upkeep/stress/lessons.h"
 #include "upkeep/stress/stress.h"
 
-#include <stdio.h>
-
 struct shader_case {
     struct one_face face;
     struct vec3 to_light;
@@ -169,17 +167,8 @@ static bool pixels_are_right(const void *tried) {
     return right;
 }
 
-static void print_shader_case(const void *failing) {
-    const struct shader_case *c = failing;
-    print_face(&c->face);
-    printf("    to light %.17g %.17g %.17g, uv %.17g %.17g, mip levels %zu and %zu, intensity "
-           "%.17g\n",
-           c->to_light.x, c->to_light.y, c->to_light.z, c->uv.x, c->uv.y, c->diffuse.level,
-           c->normal_map.level, c->intensity);
-}
-
-static const struct case_kind shader_cases = {sizeof(struct shader_case), make_shader_case,
-                                              print_shader_case};
+static const struct case_kind shader_cases = {.size = sizeof(struct shader_case),
+                                              .make = make_shader_case};
 
 const struct property lesson09_properties[] = {
     PROPERTY("lesson09: at the corners", AGAINST_LONG_DOUBLE, 200000, shader_cases,

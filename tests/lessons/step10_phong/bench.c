@@ -12,7 +12,7 @@
 
 #include "bench/bench.h"
 #include "files/normals.h"
-#include "oracle/reals.h"
+#include "oracle/texels.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -50,7 +50,7 @@ struct work {
     size_t lit_count;            /* pixels; the last lanes may have some that do not count */
     struct model meshes[MESHES]; /* of the sphere, each of four times the triangles */
     struct texture ripples;      /* normal map of the sphere */
-    struct uniforms sphere;      /* but for the model */
+    struct uniforms sphere;      /* except for the model */
     struct pipeline pipeline;
     struct image image;
 };
@@ -84,19 +84,15 @@ static long double exact_shine(const struct material *material, struct real3 nor
     return diffuse > 0 ? 255 * (long double)material->specular * power : 0;
 }
 
-/* To the nearest level. */
-static uint8_t exact_level(long double value) {
-    return value >= 255 ? 255 : (uint8_t)(value + 0.5L);
-}
-
 static struct color exact_color(const struct material *material, struct real3 normal,
                                 struct real3 towards_eye) {
     long double shine = exact_shine(material, normal, towards_eye);
     long double diffuse = real3_dot(normal, real3_unit(real3_from(light)));
     long double scattered = material->ambient + material->diffuse * (diffuse > 0 ? diffuse : 0);
     const struct vec3 *c = &material->color;
-    return color_rgb(exact_level(c->x * scattered + shine), exact_level(c->y * scattered + shine),
-                     exact_level(c->z * scattered + shine));
+    return color_rgb(level_from_real(c->x * scattered + shine),
+                     level_from_real(c->y * scattered + shine),
+                     level_from_real(c->z * scattered + shine));
 }
 
 static double squared_error(struct color a, struct color b) {
@@ -529,12 +525,5 @@ static const struct bench_panel bench_panels[] = {
      .series = detail_series},
 };
 
-const struct bench_lesson bench_step10 = {
-    .step = "step10_phong",
-    .title = "Step 10: Phong's light",
-    .state_size = sizeof(struct work),
-    .setup = setup,
-    .teardown = teardown,
-    .panels = bench_panels,
-    .panel_count = sizeof bench_panels / sizeof bench_panels[0],
-};
+const struct bench_lesson bench_step10 = BENCH_LESSON("step10_phong", "Step 10: Phong's light",
+                                                      struct work, setup, teardown, bench_panels);

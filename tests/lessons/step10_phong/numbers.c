@@ -4,8 +4,6 @@
 #endif
 #include "lane_numbers.h"
 
-#define IN_LANES(function, ...) in_each_lane(function, (double[]){__VA_ARGS__})
-
 static struct lanes3 called_vector_in(int lane, const double *v) {
     return vector_in_one_lane(lane, xyz(v[0], v[1], v[2]));
 }

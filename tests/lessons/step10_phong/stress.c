@@ -5,8 +5,6 @@
 #include "upkeep/stress/lessons.h"
 #include "upkeep/stress/stress.h"
 
-#include <stdio.h>
-
 struct phong_case {
     struct one_face face;
     struct vec3 normal, to_light, eye, position;
@@ -156,19 +154,7 @@ static bool pixels_are_right(const void *tried) {
     return right;
 }
 
-static void print_phong(const void *failing) {
-    const struct phong_case *c = failing;
-    const struct vec3 v[] = {c->normal, c->to_light, c->eye, c->position};
-    static const char *const names[] = {"normal", "to light", "eye", "position"};
-    print_face(&c->face);
-    for (int i = 0; i < 4; i++) {
-        printf("    %s %.17g %.17g %.17g\n", names[i], v[i].x, v[i].y, v[i].z);
-    }
-    printf("    weights %.17g %.17g %.17g, power %d, uv %.17g %.17g\n", c->material.ambient,
-           c->material.diffuse, c->material.specular, c->material.power, c->uv.x, c->uv.y);
-}
-
-static const struct case_kind phong_cases = {sizeof(struct phong_case), make_phong, print_phong};
+static const struct case_kind phong_cases = {.size = sizeof(struct phong_case), .make = make_phong};
 
 const struct property lesson10_properties[] = {
     PROPERTY("lesson10: at the corners", AGAINST_LONG_DOUBLE, 100000, phong_cases,

@@ -12,16 +12,9 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/wait.h>
-#include <time.h>
 #include <unistd.h>
 
 enum { START_SECONDS = 10, ANSWER_LIMIT = 300 * 1000 * 1000 };
-
-static double now(void) {
-    struct timespec time;
-    clock_gettime(CLOCK_MONOTONIC, &time);
-    return (double)time.tv_sec + 1e-9 * (double)time.tv_nsec;
-}
 
 /* ---- Starting and ending ---- */
 
@@ -95,7 +88,7 @@ static bool has_ended(struct child *child, struct error *error) {
 static bool read_more(struct child *child, double end, struct error *error) {
     struct pollfd waited = {.fd = child->output, .events = POLLIN};
     static char buffer[1 << 16];
-    double left = end - now();
+    double left = end - run_now();
     if (left <= 0 || poll(&waited, 1, (int)(1000 * left) + 1) <= 0) {
         child_end(child);
         return error_set(error, "is stopped: it draws for too long; does every loop end?");
@@ -146,7 +139,7 @@ static bool send_request(struct child *child, const struct bytes *request, struc
 
 bool child_ask(struct child *child, const struct bytes *request, double seconds,
                struct bytes *answer, struct error *error) {
-    const double end = now() + seconds;
+    const double end = run_now() + seconds;
     if (!send_request(child, request, error)) {
         return false;
     }

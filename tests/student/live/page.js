@@ -1,5 +1,5 @@
 // The page under the mouse: asks a lesson's program for frames, and shows them pixel by pixel. What
-// can be changed stands in what the program says of its scenes (common/run/live.h). Frames come from
+// can be changed is in what the program says of its scenes (common/run/live.h). Frames come from
 // the `program` that another file defines: server.js has the one of `make live`.
 "use strict";
 
@@ -12,7 +12,7 @@ const context = canvas.getContext("2d");
 let about = null;      // what the program says of itself
 let version = -1;      // of the program, as built
 let shown = null;      // the last frame: width, height, pixels, milliseconds, counters
-let reference = null;  // the same of the reference, for the scene as in the lesson
+let reference = null;  // the same of the reference: the scene as in the lesson
 let told = null;       // and of their difference, where the program has a picture of it
 let chosen = {};       // scene, values that differ from the scene's own, text
 let view = "yours";
@@ -41,7 +41,9 @@ function readAddress() {
         }
     }
     for (const [name, text] of given) {
-        if (!(name in chosen) && name !== "text" && Number.isFinite(Number(text))) {
+        if (name === "view") {
+            view = Object.values(views).includes(text) ? text : view;
+        } else if (!(name in chosen) && name !== "text" && Number.isFinite(Number(text))) {
             chosen[name] = Number(text);
         }
     }
@@ -51,7 +53,7 @@ function readAddress() {
 }
 
 function writeAddress() {
-    const kept = Object.entries(chosen).filter(([, value]) => value !== undefined);
+    const kept = Object.entries({...chosen, view: view === "yours" ? undefined : view}).filter(([, value]) => value !== undefined);
     history.replaceState(null, "", "#" + new URLSearchParams(kept.map(([name, value]) => [name, `${value}`])));
 }
 
@@ -111,6 +113,7 @@ async function ask() {
     asking = true;
     do {
         again = false;
+        const slow = setTimeout(() => { $("pixel").textContent = "One moment"; }, 400);
         try {
             const frame = parseFrame(await program.frame(request()));
             if (frame.error) {
@@ -122,6 +125,7 @@ async function ask() {
         } catch (error) {
             say(error.message);
         }
+        clearTimeout(slow);
         paint();
     } while (again);
     asking = false;
@@ -177,11 +181,11 @@ async function readPicture(address) {
 
 async function readReference() {
     reference = told = null;
-    const {scene: name} = chosen, address = isAsInLesson() && program.reference?.(name);
+    const {scene: name} = chosen, address = !isOwn() && !scene().extra && program.reference?.(name);
     const read = address ? await readPicture(address) : null;
     const difference = program.difference?.(name);
     const readToo = difference ? await readPicture(difference) : null;
-    if (chosen.scene === name && isAsInLesson()) {
+    if (chosen.scene === name) {
         [reference, told] = [read, readToo];
         paint();
     }
@@ -227,6 +231,7 @@ function wrongOf({pixels}) {
 // ---- Painting ----
 
 const sameSize = () => reference && shown && reference.width === shown.width && reference.height === shown.height;
+const isComparable = () => sameSize() && isAsInLesson();
 
 let made = {};         // what was last compared, and of what
 
@@ -242,7 +247,7 @@ function visible() {
     if (view === "reference" && reference) {
         return reference;
     }
-    return (view === "difference" || view === "errors") && sameSize() ? compared(view) : shown;
+    return (view === "difference" || view === "errors") && isComparable() ? compared(view) : shown;
 }
 
 // Where pixel (x,y), counted from the top left, is on the canvas.
@@ -319,7 +324,7 @@ function paintGrid(frame, size, left, top) {
             context.strokeRect(left + x * size, top + y * size, size, size);
             if (size >= 32 * devicePixelRatio && view !== "difference") {
                 const color = colorAt(frame, x, y), i = 4 * (y * frame.width + x);
-                const numbers = view === "errors" && sameSize() ? [errorAt(shown.pixels, reference.pixels, i)] : color;
+                const numbers = view === "errors" && isComparable() ? [errorAt(shown.pixels, reference.pixels, i)] : color;
                 context.fillStyle = color[0] + color[1] + color[2] > 380 ? "#000" : "#fff";
                 numbers.forEach((value, i) =>
                     context.fillText(value, left + (x + .5) * size, top + (y + .32 + .29 * i) * size));
@@ -334,11 +339,13 @@ function describe(frame) {
                    (program.still ? "" : `, ${shown.milliseconds.toFixed(1)} ms`)];
     if (frame.count !== undefined) {
         lines.push(`${frame.count} pixels differ from the reference`);
-    } else if (!sameSize() && view !== "yours") {
-        lines.push(reference ? `the reference has ${reference.width}x${reference.height}` : "no reference: not as in the lesson");
+    } else if (reference && !sameSize() && view !== "yours") {
+        lines.push(`the reference has ${reference.width}x${reference.height}`);
+    } else if (!isAsInLesson() && view !== "yours") {
+        lines.push("not as in the lesson, which is the reference");
     }
     if (cursor) {
-        const [x, y] = cursor, mine = colorAt(shown, x, y), right = sameSize() && colorAt(reference, x, y);
+        const [x, y] = cursor, mine = colorAt(shown, x, y), right = isComparable() && colorAt(reference, x, y);
         lines.push(`(${x},${shown.height - 1 - y}) ${mine}` + (right && mine ? `, reference ${right}, error ${errorAt(mine, right, 0)}` : ""));
         lines.push(...shown.notes);
     }
@@ -449,7 +456,6 @@ function turn(right, up) {
 
 function changed() {
     writeAddress();
-    reference = isAsInLesson() ? reference : null;
     $("own").hidden = !isOwn();
     ask();
 }
@@ -536,7 +542,7 @@ canvas.addEventListener("wheel", event => {
 function nextWrong() {
     chooseView("difference");
     const {width} = shown, last = cursor ?? [-99, -99];
-    const all = (sameSize() ? made.wrong : []).map(at => [at % width, Math.floor(at / width)]);
+    const all = (isComparable() ? made.wrong : []).map(at => [at % width, Math.floor(at / width)]);
     const after = all.filter(([x, y]) => y * width + x > last[1] * width + last[0]);
     const found = after.find(([x, y]) => Math.hypot(x - last[0], y - last[1]) >= 16) ?? all[0];
     if (found) {
@@ -555,6 +561,7 @@ function chooseView(name) {
     view = name;
     [...$("views").children].forEach(button => button.setAttribute("aria-pressed", button.textContent === name));
     if (shown) {
+        writeAddress();
         paint();
     }
 }

@@ -16,6 +16,7 @@
 
 #include "base/file.h"
 #include "check/fault.h"
+#include "check/page/escape.h"
 #include "check/run.h"
 
 #include <dirent.h>
@@ -67,20 +68,6 @@ static void set_message(struct live *live, const char *text) {
         bytes_append(&live->message, "", 1);
         fprintf(stderr, "%s\n", (const char *)live->message.data);
     }
-}
-
-/* As a string of JSON. */
-static void put_json(struct bytes *out, const char *text) {
-    bytes_append(out, "\"", 1);
-    for (; *text != '\0'; text++) {
-        unsigned char c = (unsigned char)*text;
-        if (c < ' ' || c == '"' || c == '\\') {
-            bytes_print(out, "\\u%04x", c);
-        } else {
-            bytes_append(out, text, 1);
-        }
-    }
-    bytes_append(out, "\"", 1);
 }
 
 /* ---- Building ---- */
@@ -212,9 +199,9 @@ static void answer_state(struct live *live, struct http_request *request) {
     if (live->description.size == 0) {
         start_child(live, &error);
     }
-    bytes_print(&json, "{\"version\":%u,\"step\":\"%s\",\"message\":", live->version, live->step);
-    put_json(&json, live->message.size > 0 ? (const char *)live->message.data : "");
-    bytes_print(&json, ",\"program\":%s}",
+    bytes_print(&json, "{\"version\":%u,\"step\":\"%s\",\"message\":\"", live->version, live->step);
+    escape_json(&json, live->message.size > 0 ? (const char *)live->message.data : "");
+    bytes_print(&json, "\",\"program\":%s}",
                 live->description.size > 1 ? (const char *)live->description.data : "null");
     http_answer(request, 200, "application/json", json.data, json.size);
     bytes_free(&json);

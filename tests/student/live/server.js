@@ -11,7 +11,7 @@ async function fetchFrom(path, options) {
 }
 
 const program = {
-    // What common/run/live.h says of the scenes, and the messages of who builds the program:
+    // What common/run/live.h says of the scenes, and the messages of the build:
     // {version, step, message, program}.
     async state() {
         return (await fetchFrom("state")).json();

@@ -39,7 +39,7 @@ fi
 contain_by_bwrap() {
     # shellcheck disable=SC2086 # lists of words
     set -- --remount-ro /dev --remount-ro / --chdir "$PWD" $limits setpriv $powerless "$@"
-    # What a program draws may lie beside where it draws: see tests/check/unseen.h.
+    # What a program draws may lie next to where it draws: see tests/check/unseen.h.
     set -- --ro-bind "$CONTAIN_COURSE/common" "$CONTAIN_COURSE/common" \
         --ro-bind "$CONTAIN_BUILD/libcommon.a" "$CONTAIN_BUILD/libcommon.a" \
         --ro-bind "$CONTAIN_BUILD/models" "$CONTAIN_BUILD/models" \

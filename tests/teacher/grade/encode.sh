@@ -1,5 +1,5 @@
 # shellcheck shell=sh
-# encode TEXT: a name of a submission as it stands in results: letters, digits and .-_ as they are,
+# encode TEXT: a name of a submission as it is in results: letters, digits and .-_ as they are,
 # everything else as %XX, also a first character that a shell or a table would obey. Read with `.`.
 encode() {
     printf '%s' "$1" | od -An -v -tx1 | tr 'a-f' 'A-F' | awk '

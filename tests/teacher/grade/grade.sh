@@ -4,7 +4,7 @@
 # Whatever is in SUBMISSIONS is a submission (those are graded that are a directory, .zip or .tar.gz),
 # by grade_one.sh, JOBS at a time (as many as there are processors); a failure stops none of the
 # others. Stopped and started again, it goes on where it was, and what has changed since is graded
-# anew. At the end merge.sh makes OUT/class.csv and OUT/index.html.
+# again. At the end merge.sh makes OUT/class.csv and OUT/index.html.
 #
 # Exit status: 0 each has a result; 1 not; 2 wrong usage.
 [ "${BASH_VERSINFO[0]}" -ge 4 ] || {

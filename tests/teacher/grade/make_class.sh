@@ -197,7 +197,7 @@ for copy in one two three; do
     expect "copy $copy" "GRADED = $most"
     made=$((made + 1))
 done
-# All that was handed out, with an older work beside it, and what macOS packs besides.
+# Everything that was handed out, with an older work next to it, and what macOS packs besides.
 handout=$into/kinds/handout
 mkdir -p "$handout/a/tests/reference" && cp -R "$into"/kinds/solution/* "$handout/a" || exit 1
 for lesson in $lessons; do

@@ -1,5 +1,5 @@
 # The class as a page (after sums.awk): who has how many points, how each task went, and what went
-# wrong most often. One file without scripts; names lead to the reports beside it.
+# wrong most often. One file without scripts; names lead to the reports next to it.
 function html(text) {
     gsub(/&/, "\\&amp;", text)
     gsub(/</, "\\&lt;", text)
@@ -105,8 +105,8 @@ function print_pairs(    i, best, who, shown) {
     print "<h2>Submissions that are alike</h2>"
     for (i = 1; i <= not_compared_count; i++) print "<p>" html(not_compared[i]) "</p>"
     if (pair_count == 0) return
-    print "<p>These submissions are the same in the lessons named, but for names, numbers, comments"
-    print "and white space: so many per cent of what the shorter one has written beside the starter."
+    print "<p>These submissions are the same in the lessons named, except for names, numbers, comments"
+    print "and white space: so many per cent of what the shorter one has besides the starter."
     print "Look at both before you judge. In a short task, two right programs are often alike."
     print "<a href=\"similar.csv\">similar.csv</a> has all pairs (" pair_count "). The lines that"
     print "agree: <code>sim_c -r 16 -d submissions/ONE/sources/LESSON/main.c"

@@ -101,14 +101,14 @@ grade >"$work/third" && cmp "$work/class.csv" "$work/out/class.csv" ||
     wrong "another CSV the second time"
 echo "again took $((SECONDS - begun)) s"
 
-# What has changed is graded anew, and nothing else; what is no longer there is told.
+# What has changed is graded again, and nothing else; what is no longer there is told.
 changed=$(find "$work/class" -maxdepth 1 -name 'other0-*')
 gone=$(find "$work/class" -maxdepth 1 -name 'wrong0-*')
 echo '#error changed' >>"$changed/step01_line/main.c"
 rm -r "$gone"
 grade >"$work/fourth" || wrong "make grade fails: $(tail -n 3 "$work/fourth")"
 grep -q "^    ${gone##*/}\$" "$work/fourth" || wrong "$gone is not told of: $(cat "$work/fourth")"
-[ "$(grep -c '^\[' "$work/fourth")" -eq 1 ] || wrong "not one graded anew: $(cat "$work/fourth")"
+[ "$(grep -c '^\[' "$work/fourth")" -eq 1 ] || wrong "not one graded again: $(cat "$work/fourth")"
 name=${changed##*/}
 ! grep -q "^$name,GRADED" <(comm -12 <(sort "$work/class.csv") <(sort "$work/out/class.csv")) ||
     wrong "$name has the points from before"

@@ -30,7 +30,7 @@ put_changed() {
 
 # ---- The lessons ----
 
-# Commands that only the whole course has stand in brackets behind what they measure or draw.
+# Commands that only the whole course has are in brackets behind what they measure or draw.
 # shellcheck disable=SC2016 # awk's own dollars
 without_commands='
     { text = text $0 "\n" }
@@ -43,7 +43,7 @@ put_lesson() {
     mkdir -p "$new/$1" "$new/tests/student/starters"
     put_text starter "$1"
     cp "$new/$1/main.c" "$new/tests/student/starters/$1.c" || fail 1 "cannot write $new/tests"
-    for file in "$1"/scenes.h "$1"/extra_*.h "$1"/mine.c "$1"/attempts.h "$1"/hints.txt \
+    for file in "$1"/scenes.h "$1"/extra_*.h "$1"/mine.c "$1"/opengl.c "$1"/attempts.h "$1"/hints.txt \
         "$1"/[A-Z]*.md "$1"/figures/* tests/reference/"$1"/*; do
         case $file in
         *.md) [ ! -f "$file" ] || put_changed "$without_commands" "$file" ;;
@@ -96,7 +96,7 @@ done <"$work/needed"
 put_all <"$work/others"
 # shellcheck disable=SC2016
 put_changed '
-    { name = $1 ~ /^step/ ? $1 : $2 } # `work` and `relations` stand before it
+    { name = $1 ~ /^step/ ? $1 : $2 } # `work` and `relations` are before it
     match(name, /^step[0-9]+_/) {
         step = substr(name, 5, RLENGTH - 5) + 0
         if (step < first || step > last) next
@@ -110,6 +110,7 @@ put LICENSE
 put Makefile
 put step10_phong/figures/turn.png # where all this leads to: README.md begins with it
 put tests/student/lesson.sh
+put tests/student/machine.mk
 
 # `make start` has the starters themselves; there is no `make solution`.
 put tests/teacher/handout/start.sh tests/student/start.sh

@@ -8,7 +8,7 @@
 #
 #     main.c           the solution, without marks: it has passed the check
 #     mistakes.html    each mistake of mistakes.txt: what is written wrong, what the check says to
-#                      it, and the picture that it draws beside the reference
+#                      it, and the picture that it draws next to the reference
 #
 # MAKE builds a program. Works in BUILD, where the check, the library and the models must be built;
 # as many programs at a time as there are processors, WORKERS=1 in the environment for one. Twice

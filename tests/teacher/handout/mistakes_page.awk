@@ -1,4 +1,4 @@
-# The page of a lesson's mistakes, which needs nothing but the pictures beside it.
+# The page of a lesson's mistakes, which needs nothing but the pictures next to it.
 #
 #   awk -v lesson=step05_zbuffer -v work=WORK -v page=DIR -f mistakes_page.awk WORK/table
 #
@@ -19,7 +19,7 @@ function lines_of(path,    line, text) {
     return text
 }
 
-# Small pictures are shown enlarged, pixel by pixel. The width stands in a PNG at byte 16.
+# Small pictures are shown enlarged, pixel by pixel. The width is in a PNG at byte 16.
 function kind_of(picture,    command, byte) {
     command = "od -An -tu1 -j16 -N4 '" picture "'"
     command | getline byte
@@ -33,8 +33,8 @@ function print_picture(path, caption) {
            "<figcaption>%s</figcaption></figure>\n", path, kind_of(page "/" path), path, caption
 }
 
-# Of all that the check says the first thing that is wrong. What it takes the picture for stands in
-# a line of its own there.
+# The first thing that is wrong in what the check says. What it takes the picture for is a line
+# there.
 function finding(said,    part, count, i) {
     sub(/\n$/, "", said)
     named = said ~ /;   looks like "/

@@ -1,5 +1,5 @@
 # shellcheck shell=sh disable=SC2034,SC2154 # who reads this uses what it sets, and the reverse
-# For scripts that write a part of the course into a directory of its own, whole or not at all,
+# For scripts that write a part of the course into a separate directory, whole or not at all,
 # which read this with `.` after lesson.sh and marked.sh, with `target`, `out` (the directory) and
 # `wanted` (lessons: 5 or 1-5; all of them when empty) set.
 
@@ -17,7 +17,7 @@ begin_out() {
         fail 1 "$out is there already, and not an empty directory"
     fi
     mkdir -p "$(dirname "$out")" && new=$(mktemp -d "$out.XXXXXX") ||
-        fail 1 "cannot write beside $out"
+        fail 1 "cannot write next to $out"
 }
 
 # make_room FILE: for that file of the directory. (Without a process of its own, where there is.)

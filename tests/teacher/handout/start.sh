@@ -3,7 +3,7 @@
 #
 #     start.sh start|solution STEP          STEP is 5, 05 or step05_zbuffer
 #
-# What main.c held is kept beside it as main.c.1, main.c.2, ...
+# What main.c held is kept next to it as main.c.1, main.c.2, ...
 #
 # Exit status: 0 done; 1 it cannot be done, and main.c is as it was; 2 wrong usage.
 

@@ -74,8 +74,10 @@ static const struct hidden_case cases[] = {
 };
 
 struct hidden {
-    char runner[DRAWN_PATH_LIMIT];     /* what submissions are run by, or "" */
-    char *programs, *solutions, *make; /* make: "" where the programs are built already */
+    char runner[DRAWN_PATH_LIMIT]; /* what submissions are run by, or "" */
+    char *programs, *solutions;
+    bool builds;          /* or the programs are built already */
+    struct options check; /* what a check would be told to build the programs */
     uint64_t seed;
     struct scene_table table;
     size_t right, tried;
@@ -144,36 +146,16 @@ static void tell_all(struct told *told, const struct hidden_case *hidden_case, u
 
 /* ---- Building ---- */
 
-/* What the check would be told to build the programs. */
-static bool check_options(const struct hidden *hidden, struct options *options,
-                          struct error *error) {
-    if (!options_begin(options, error)) {
-        return false;
-    }
-    options->programs = hidden->programs;
-    options->make = hidden->make;
-    return true;
-}
-
 /* What is judged is what stands in main.c now, whatever was built of it before. One that does not
  * build is gone, and draws nothing. */
 static bool build_yours(const struct hidden *hidden, const char *step, struct error *error) {
-    struct options options;
     struct build_result result = {.reason = {""}};
-    if (hidden->make[0] == '\0') {
+    if (!hidden->builds) {
         return true;
     }
-    bool done =
-        check_options(hidden, &options, error) && build_step(&options, step, &result, error);
+    bool done = build_step(&hidden->check, step, &result, error);
     bytes_free(&result.messages);
     return done && (run_caught_signal() == 0 || error_set(error, "interrupted"));
-}
-
-/* Nobody else builds or removes the programs until this process ends. */
-static bool lock_yours(const struct hidden *hidden, struct error *error) {
-    struct options options;
-    return hidden->make[0] == '\0' ||
-           (check_options(hidden, &options, error) && build_lock(&options, error));
 }
 
 /* ---- Drawing ---- */
@@ -182,22 +164,6 @@ static bool lock_yours(const struct hidden *hidden, struct error *error) {
 struct pair {
     struct unseen_place yours, solution;
 };
-
-static bool pair_begin(struct pair *pair, struct error *error) {
-    if (!unseen_begin(&pair->yours, error)) {
-        return false;
-    }
-    if (!unseen_begin(&pair->solution, error)) {
-        unseen_end(&pair->yours);
-        return false;
-    }
-    return true;
-}
-
-static void pair_end(const struct pair *pair) {
-    unseen_end(&pair->yours);
-    unseen_end(&pair->solution);
-}
 
 /* How a program ended, and what it said. */
 struct ending {
@@ -211,14 +177,14 @@ static bool draw(struct unseen_place *place, const char *runner, const char *pro
                  struct ending *ending, struct error *error) {
     const struct run_limits limits = run_program_limits(SECONDS);
     const struct variant plain = {.turned = 0};
-    char program[DRAWN_PATH_LIMIT];
+    struct drawn_path program;
     struct run_result result;
-    if (!unseen_program(program, programs, step, error)) {
+    if (!drawn_program(&program, programs, step, error)) {
         return false;
     }
     setenv("CHECK_RUNNER", runner, 1);
     bool done =
-        unseen_draw(place, program, told->list, kind, seed, &plain, &limits, &result, error);
+        unseen_draw(place, program.text, told->list, kind, seed, &plain, &limits, &result, error);
     ending->well = done && result.end == RUN_EXITED && result.number == 0;
     ending->said = drawn_message(done ? (const char *)result.messages.data : "");
     if (done && run_caught_signal() != 0) {
@@ -291,17 +257,12 @@ static void judge(struct hidden *hidden, const struct pair *pair, const char *st
 }
 
 /* The scene of the table whose limits hold for a text scene. */
-static const struct checked_scene *limits_for(const struct checked_step *step,
+static const struct checked_scene *limits_for(const struct hidden *hidden, const char *step,
                                               enum input_kind kind) {
-    const char *name = kind == INPUT_LINES       ? "line"
-                       : kind == INPUT_TRIANGLES ? "triangle"
-                                                 : "gradient";
-    for (size_t i = 0; i < step->scene_count; i++) {
-        if (strcmp(step->scenes[i].name, name) == 0) {
-            return &step->scenes[i];
-        }
-    }
-    return NULL;
+    return scene_table_find(&hidden->table, step,
+                            kind == INPUT_LINES       ? "line"
+                            : kind == INPUT_TRIANGLES ? "triangle"
+                                                      : "gradient");
 }
 
 /* Scenes that are left to the references, since correct programs of alternatives.txt differ in
@@ -360,22 +321,20 @@ static bool try_case(struct hidden *hidden, const struct checked_step *step, siz
     unsigned step_number = (unsigned)strtoul(step->name + 4, NULL, 10);
     uint64_t seed = hidden->seed * 1000 + number;
     struct told told;
-    struct pair pair;
+    struct pair pair = {.yours = {.whole = {""}}};
     struct ending yours, solved;
     char solutions[DRAWN_PATH_LIMIT], says[256];
     snprintf(solutions, sizeof solutions, "%s/%s", hidden->solutions, step->name);
     tell_all(&told, hidden_case, step_number, seed);
-    if (!pair_begin(&pair, error)) {
-        return false;
-    }
-    bool done = draw(&pair.solution, "", solutions, step->name, &told, hidden_case->kind, seed,
+    bool done = unseen_begin(&pair.yours, error) && unseen_begin(&pair.solution, error) &&
+                draw(&pair.solution, "", solutions, step->name, &told, hidden_case->kind, seed,
                      &solved, error) &&
                 (solved.well || error_set(error, "%s: the solution does not draw %s: %s",
                                           step->name, hidden_case->says, solved.said.text)) &&
                 draw(&pair.yours, hidden->runner, hidden->programs, step->name, &told,
                      hidden_case->kind, seed, &yours, error);
     if (done && unseen_takes_text(step->name)) {
-        judge(hidden, &pair, step->name, "scene", limits_for(step, hidden_case->kind),
+        judge(hidden, &pair, step->name, "scene", limits_for(hidden, step->name, hidden_case->kind),
               hidden_case->says);
     }
     for (size_t i = 0; i < step->scene_count && done && !unseen_takes_text(step->name); i++) {
@@ -385,7 +344,8 @@ static bool try_case(struct hidden *hidden, const struct checked_step *step, siz
             judge(hidden, &pair, step->name, step->scenes[i].name, &step->scenes[i], says);
         }
     }
-    pair_end(&pair);
+    unseen_end(&pair.yours);
+    unseen_end(&pair.solution);
     return done;
 }
 
@@ -443,10 +403,17 @@ static bool try_all(struct hidden *hidden, char **steps, int step_count, struct 
 
 /* ---- What is wanted ---- */
 
-static int try_and_tell(struct hidden *hidden, char **steps, int step_count) {
+static int try_and_tell(struct hidden *hidden, const char *make, char **steps, int step_count) {
     struct error error;
     run_catch_signals();
-    bool done = lock_yours(hidden, &error) && try_all(hidden, steps, step_count, &error);
+    bool done = options_begin(&hidden->check, &error);
+    hidden->check.programs = hidden->programs;
+    hidden->check.make = make;
+    hidden->builds = make[0] != '\0';
+    if (done && hidden->builds) { /* nobody else builds or removes them until this process ends */
+        done = build_lock(&hidden->check, &error);
+    }
+    done = done && try_all(hidden, steps, step_count, &error);
     scene_table_free(&hidden->table);
     if (run_caught_signal() != 0) {
         run_die_of_signal();
@@ -466,14 +433,12 @@ int main(int argc, char **argv) {
     }
     const char *seed = argv[SEED], *runner = getenv("CHECK_RUNNER");
     char *end;
-    struct hidden hidden = {.programs = argv[PROGRAMS],
-                            .solutions = argv[SOLUTIONS],
-                            .make = argv[MAKE],
-                            .seed = strtoull(seed, &end, 10)};
+    struct hidden hidden = {
+        .programs = argv[PROGRAMS], .solutions = argv[SOLUTIONS], .seed = strtoull(seed, &end, 10)};
     if (seed[0] < '0' || seed[0] > '9' || *end != '\0') {
         fprintf(stderr, "hidden: '%s' is no seed: a number is wanted\n", seed);
         return STATUS_CANNOT_WORK;
     }
     snprintf(hidden.runner, sizeof hidden.runner, "%s", runner != NULL ? runner : "");
-    return try_and_tell(&hidden, argv + FIRST_STEP, argc - FIRST_STEP);
+    return try_and_tell(&hidden, argv[MAKE], argv + FIRST_STEP, argc - FIRST_STEP);
 }

@@ -1,12 +1,12 @@
 #!/bin/sh
-# Lets the lessons' programs draw hidden scenes beside their solutions.
+# Lets the lessons' programs draw hidden scenes next to their solutions.
 #
 #     hidden.sh BUILD PROGRAMS MAKE SEED STEP SOLUTION [POINTS]
 #
 # The programs are built again in PROGRAMS. STEP is 5, 05 or step05_zbuffer, several of them, or
 # empty: all lessons. A solution is made of SOLUTION/step05_zbuffer/main.c where SOLUTION is given,
 # and otherwise of the marked source that git has or `make start` keeps (tests/student/marked.sh),
-# but never of the main.c that is judged; it is built in a directory of its own, and removed. Where
+# but never of the main.c that is judged; it is built in a separate directory, and removed. Where
 # POINTS is given, what `check --csv` wrote, lessons that print stored pictures lose theirs.
 #
 # Exit status: that of BUILD/hidden (hidden.c).

@@ -73,10 +73,10 @@ function link(line) {
     return line
 }
 
-# Pictures are WebP. Those of a lesson's scenes lead to the scene in the live page.
+# Pictures are WebP. In a lesson, those of scenes lead to the scene in the live page.
 function picture(line,    name, step, file, found) {
     gsub(/\.png"/, ".webp\"", line)
-    if (line !~ /^(<p>)?<img/ || !match(line, /<img src="[^"]*\.webp"[^>]*>/)) return line
+    if (lesson == "" || line !~ /^(<p>)?<img/ || !match(line, /<img src="[^"]*\.webp"[^>]*>/)) return line
     name = substr(line, RSTART, RLENGTH)
     sub(/\.webp.*/, "", name)
     step = match(name, /step[0-9]+_[a-z]+/) ? substr(name, RSTART, RLENGTH) : lesson

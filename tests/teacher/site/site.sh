@@ -5,7 +5,7 @@
 #     site.sh BUILD OUT
 #
 # OUT is a directory that is not there yet, or empty. Each text of README.md and of the lessons
-# becomes a page beside its pictures. Pages work from disk as from any server, and without scripts;
+# becomes a page next to its pictures. Pages work from disk as from any server, and without scripts;
 # they load nothing from elsewhere. Solutions are there only as compiled code, in live/program.js.
 # BUILD has the models.
 #
@@ -102,7 +102,7 @@ policy="default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; style-src 'sel
 for lesson in $lessons; do
     sed -e 's|=\([a-z]*\.[cj]s*\)>|=../live/\1>|' -e 's|/server.js|/wasm.js|' \
         -e "s|<meta charset=utf-8>|&<meta http-equiv=Content-Security-Policy content=\"$policy\">|" \
-        -e 's|&nbsp;|One moment: the program sculpts the textures of the head itself.|' \
+        -e "s|^<header>|&<a href=index.html target=_top>$(sed -n '1s/^# //p' "$lesson/README.md")</a>|" \
         tests/student/live/page.html >"$new/$lesson/live.html"
 done
 end_out

@@ -10,7 +10,7 @@
 submission=$1
 course=$2
 
-# is_there FILE: as a file of its own, in a directory of its own.
+# is_there FILE: a regular file, neither it nor its directory a link.
 is_there() {
     [ -f "$1" ] && [ ! -L "$1" ] && [ ! -L "$(dirname "$1")" ]
 }

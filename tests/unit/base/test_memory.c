@@ -22,7 +22,9 @@
 #include "run/text_scene.h"
 #include "tgaimage.h"
 #include "unit/frames.h"
+#include "unit/images.h"
 #include "unit/place.h"
+#include "unit/streams.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -94,49 +96,42 @@ void __wrap_free(void *block) {
 
 /* ---- What is tried ---- */
 
-enum { PATH_SIZE = 128 };
-
 /* Made once, with memory to spare. */
-struct inputs {
-    struct image grey, color, clear; /* 8, 24 and 32 bits */
-    struct bytes long_scene, long_obj, one_color,
-        long_off;            /* texts so long that arrays grow twice */
-    struct model cube, many; /* without normals; see make_models() */
-    char directory[64];
-    char scene[PATH_SIZE], obj[PATH_SIZE], off[PATH_SIZE], diffuse[PATH_SIZE], map[PATH_SIZE];
-    char out[PATH_SIZE], old[PATH_SIZE]; /* a file to make, one to replace */
-    char link[PATH_SIZE];                /* a symbolic link to the old one */
-};
+static struct {
+    struct image grey, color, clear;                        /* 8, 24 and 32 bits */
+    struct bytes long_scene, long_obj, one_color, long_off; /* so long that arrays grow twice */
+    struct model cube, many;                                /* without normals; see make_models() */
+} inputs;
+
+static struct place place; /* of the files */
 
 /* A whole task: makes, uses and frees everything. True when all of it was done. */
 struct task {
     const char *name;
-    bool (*run)(const struct inputs *inputs, struct error *error);
+    bool (*run)(struct error *error);
+    long spared; /* so many of its first allocations it can do without */
 };
 
 static bool is_message(const char *message) {
     return message[0] != '\0' && strchr(message, '\n') == NULL;
 }
 
-/* So many of its first allocations a task can do without. */
-static long spared = 0;
-
 /* Fail each allocation of a task in turn. Returns how many there are. */
-static long fail_each(const struct task *task, const struct inputs *inputs) {
+static long fail_each(const struct task *task) {
     for (long n = 0;; n++) {
         struct error error = {0};
         memory.calls = memory.live = 0;
         memory.failing = n;
         memory.failed = false;
         memory.on = true;
-        bool done = task->run(inputs, &error);
+        bool done = task->run(&error);
         memory.on = false;
         CHECK_ROW(memory.live == 0, task->name);
         if (!memory.failed) {
             CHECK_ROW(done, task->name);
             return n;
         }
-        if (!CHECK_ROW(done == (n < spared), task->name) ||
+        if (!CHECK_ROW(done == (n < task->spared), task->name) ||
             !CHECK_ROW(done || is_message(error.message), task->name)) {
             fprintf(stderr, "    at allocation %ld\n", n);
         }
@@ -145,15 +140,12 @@ static long fail_each(const struct task *task, const struct inputs *inputs) {
 
 /* ---- The inputs ---- */
 
-static bool make_image(struct image *image, size_t width, size_t height, enum image_format format) {
-    struct error error;
-    if (!image_create(image, width, height, format, &error)) {
-        return false;
-    }
+static struct image make_image(size_t width, size_t height, enum image_format format) {
+    struct image image = new_image(width, height, format);
     for (size_t i = 0; i < width * height * (size_t)format; i++) {
-        image->pixels[i] = (uint8_t)(i * i * 7 + i / 5);
+        image.pixels[i] = (uint8_t)(i * i * 7 + i / 5);
     }
-    return true;
+    return image;
 }
 
 static const char cube_obj[] = "v -1 -1 -1\nv 1 -1 -1\nv 1 1 -1\nv -1 1 -1\n"
@@ -169,9 +161,9 @@ static bool repeat_line(struct bytes *text, const char *line, size_t count) {
     return done;
 }
 
-static bool make_texts(struct inputs *inputs) {
-    struct bytes *obj = &inputs->long_obj, *first = &inputs->one_color, *off = &inputs->long_off;
-    return repeat_line(&inputs->long_scene, "triangle 0 0 9 9 0.5 9 1 2 3\n", 100) &&
+static bool make_texts(void) {
+    struct bytes *obj = &inputs.long_obj, *first = &inputs.one_color, *off = &inputs.long_off;
+    return repeat_line(&inputs.long_scene, "triangle 0 0 9 9 0.5 9 1 2 3\n", 100) &&
            /* Positions with colours from the second on, faces, polygons, of which one has a corner
             * that turns inwards. */
            repeat_line(obj, "v 0 0 0\nvt 0 0\nvn 0 0 1\n", 1) &&
@@ -191,120 +183,82 @@ static bool make_texts(struct inputs *inputs) {
 
 /* A cube; and one face that is cut into several pieces, with more whole ones than there is room
  * left for. */
-static bool make_models(struct inputs *inputs) {
+static bool make_models(void) {
     struct bytes text = {0};
     struct error error;
-    bool made = model_decode(&inputs->cube, cube_obj, strlen(cube_obj), &error) &&
+    bool made = model_decode(&inputs.cube, cube_obj, strlen(cube_obj), &error) &&
                 repeat_line(&text, "v -90 -90 0\nv 90 -90 0\nv 0 90 0\nv 0 0.5 0\nv 0 0 0\n", 1) &&
                 repeat_line(&text, "v 0.5 0 0\nf 1 2 3\n", 1) &&
                 repeat_line(&text, "f 4 5 6\n", 20) &&
-                model_decode(&inputs->many, text.data, text.size, &error);
+                model_decode(&inputs.many, text.data, text.size, &error);
     bytes_free(&text);
     return made;
 }
 
-static bool make_inputs(struct inputs *inputs) {
+static bool make_inputs(void) {
     struct error error;
-    *inputs = (struct inputs){0};
-    strcpy(inputs->directory, "/tmp/test_memory.XXXXXX");
-    if (mkdtemp(inputs->directory) == NULL) {
-        return false;
-    }
-    const struct {
-        char *path;
-        const char *name;
-    } names[] = {{inputs->scene, "scene.txt"}, {inputs->obj, "cube.obj"},
-                 {inputs->off, "cube.off"},    {inputs->diffuse, "cube_diffuse.tga"},
-                 {inputs->map, "cube_nm.png"}, {inputs->out, "new"},
-                 {inputs->old, "old"},         {inputs->link, "link"}};
-    for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
-        snprintf(names[i].path, PATH_SIZE, "%s/%s", inputs->directory, names[i].name);
-    }
-    return make_image(&inputs->grey, 31, 9, IMAGE_GREY) &&
-           make_image(&inputs->color, 20, 10, IMAGE_BGR) &&
-           make_image(&inputs->clear, 9, 20, IMAGE_BGRA) && make_texts(inputs) &&
-           make_models(inputs) && put_text(inputs->scene, "size 5 5\nline 0 0 4 4 1 2 3\n") &&
-           put_text(inputs->obj, cube_obj) &&
-           put_text(inputs->off, "OFF 3 1\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n") &&
-           put_text(inputs->old, "old") && symlink("old", inputs->link) == 0 &&
-           tga_write(&inputs->color, inputs->diffuse, &error) &&
-           png_write(&inputs->color, inputs->map, &error);
+    inputs.grey = make_image(31, 9, IMAGE_GREY);
+    inputs.color = make_image(20, 10, IMAGE_BGR);
+    inputs.clear = make_image(9, 20, IMAGE_BGRA);
+    place = place_create();
+    return make_texts() && make_models() &&
+           put_text(name_file(&place, "scene.txt"), "size 5 5\nline 0 0 4 4 1 2 3\n") &&
+           put_text(name_file(&place, "cube.obj"), cube_obj) &&
+           put_text(name_file(&place, "cube.off"), "OFF 3 1\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n") &&
+           put_text(name_file(&place, "old"), "old") &&
+           symlink("old", name_file(&place, "link")) == 0 &&
+           tga_write(&inputs.color, name_file(&place, "cube_diffuse.tga"), &error) &&
+           png_write(&inputs.color, name_file(&place, "cube_nm.png"), &error);
 }
 
-/* Free the inputs. False when files were left behind that nobody asked for. */
-static bool free_inputs(struct inputs *inputs) {
-    const char *const paths[] = {inputs->scene,   inputs->obj, inputs->off, inputs->old,
-                                 inputs->diffuse, inputs->map, inputs->out, inputs->link};
-    image_free(&inputs->grey);
-    image_free(&inputs->color);
-    image_free(&inputs->clear);
-    bytes_free(&inputs->long_scene);
-    bytes_free(&inputs->long_obj);
-    bytes_free(&inputs->one_color);
-    bytes_free(&inputs->long_off);
-    model_free(&inputs->cube);
-    model_free(&inputs->many);
-    for (size_t i = 0; i < sizeof paths / sizeof paths[0]; i++) {
-        unlink(paths[i]); /* not all tests make all of them */
-    }
-    return rmdir(inputs->directory) == 0;
+/* No files were left behind that nobody asked for. */
+static void free_inputs(void) {
+    image_free(&inputs.grey);
+    image_free(&inputs.color);
+    image_free(&inputs.clear);
+    bytes_free(&inputs.long_scene);
+    bytes_free(&inputs.long_obj);
+    bytes_free(&inputs.one_color);
+    bytes_free(&inputs.long_off);
+    model_free(&inputs.cube);
+    model_free(&inputs.many);
+    place_remove(&place, "scene.txt,cube.obj,cube.off,cube_diffuse.tga,cube_nm.png,old,link");
 }
-
-/* Run a table of tasks. */
-static void run_tasks(const struct task *tasks, size_t count) {
-    struct inputs inputs;
-    CHECK(make_inputs(&inputs));
-    for (size_t i = 0; i < count; i++) {
-        CHECK_ROW(fail_each(&tasks[i], &inputs) > 0, tasks[i].name); /* or nothing is wrapped */
-    }
-    CHECK(free_inputs(&inputs));
-}
-
-#define RUN_TASKS(tasks) run_tasks((tasks), sizeof(tasks) / sizeof(tasks)[0])
 
 /* ---- Files ---- */
 
-static bool read_pipe(const struct inputs *inputs, struct error *error) {
+static bool read_pipe(struct error *error) {
     struct bytes bytes;
-    int ends[2] = {-1, -1}, kept = dup(STDIN_FILENO);
-    (void)inputs;
-    CHECK(kept >= 0 && pipe(ends) == 0 && write(ends[1], "some text", 9) == 9);
+    int ends[2] = {-1, -1};
+    CHECK(pipe(ends) == 0 && write(ends[1], "some text", 9) == 9);
     close(ends[1]);
-    CHECK(dup2(ends[0], STDIN_FILENO) == STDIN_FILENO);
-    close(ends[0]);
+    struct streams streams = streams_lead(ends[0], -1, -1);
     bool done = file_read("-", &bytes, error);
-    CHECK(dup2(kept, STDIN_FILENO) == STDIN_FILENO);
-    close(kept);
+    streams_restore(&streams);
+    close(ends[0]);
     CHECK(done ? bytes.size == 9 : bytes.data == NULL);
     bytes_free(&bytes);
     return done;
 }
 
-static bool make_file(const struct inputs *inputs, struct error *error) {
-    bool done = file_write(inputs->out, "text", 4, error);
-    CHECK((unlink(inputs->out) == 0) == done); /* there is no file unless it is complete */
+static bool make_file(struct error *error) {
+    bool done = file_write(name_file(&place, "new"), "text", 4, error);
+    CHECK((unlink(name_file(&place, "new")) == 0) ==
+          done); /* there is no file unless it is complete */
     return done;
 }
 
-static bool replace_file(const struct inputs *inputs, struct error *error) {
-    bool done = file_write(inputs->link, "new", 3, error);
-    char text[4] = {0};
-    int file = open(inputs->old, O_RDONLY);
-    CHECK(read(file, text, 3) == 3);
-    close(file);
-    CHECK_TEXT(text, done ? "new" : "old");
-    if (done) { /* for the next time */
-        file = open(inputs->old, O_WRONLY);
-        CHECK(write(file, "old", 3) == 3);
-        close(file);
-    }
+static bool replace_file(struct error *error) {
+    bool done = file_write(name_file(&place, "link"), "new", 3, error);
+    memory.on = false; /* what follows needs some, too */
+    CHECK(file_is(name_file(&place, "old"), done ? "new" : "old"));
+    CHECK(!done || put_text(name_file(&place, "old"), "old")); /* for the next time */
     return done;
 }
 
-static bool append_bytes(const struct inputs *inputs, struct error *error) {
+static bool append_bytes(struct error *error) {
     struct bytes bytes = {0};
     bool done = true;
-    (void)inputs;
     for (size_t i = 0; i < 100 && done; i++) {
         size_t before = bytes.size;
         done = bytes_append(&bytes, "0123456789", 10);
@@ -315,24 +269,13 @@ static bool append_bytes(const struct inputs *inputs, struct error *error) {
     return done || error_set(error, "no bytes");
 }
 
-static void test_files(void) {
-    static const struct task tasks[] = {
-        {"file_read of a pipe", read_pipe},
-        {"file_write", make_file},
-        {"file_write over an old file", replace_file},
-        {"bytes_append", append_bytes},
-    };
-    RUN_TASKS(tasks);
-}
-
 /* ---- Images ---- */
 
-static bool decode_tga_map(const struct inputs *inputs, struct error *error) {
+static bool decode_tga_map(struct error *error) {
     static const uint8_t file[] = {
         0, 1, 1, 0, 0, 2, 0, 16, 0, 0, 0, 0, 2,
         0, 2, 0, 8, 0, 1, 2, 3,  4, 0, 1, 1, 0}; /* 2x2, two colours of 16 bits */
     struct image image;
-    (void)inputs;
     bool done = tga_decode(&image, file, sizeof file, error);
     CHECK(done || image.pixels == NULL);
     image_free(&image);
@@ -344,8 +287,8 @@ static bool kept_start(const struct bytes *out) {
     return out->size >= 3 && memcmp(out->data, "abc", 3) == 0;
 }
 
-static bool encode_all(const struct inputs *inputs, struct error *error) {
-    const struct image *const images[] = {&inputs->grey, &inputs->color, &inputs->clear};
+static bool encode_all(struct error *error) {
+    const struct image *const images[] = {&inputs.grey, &inputs.color, &inputs.clear};
     struct bytes out = {0};
     bool done = bytes_append(&out, "abc", 3) || error_set(error, "no bytes");
     for (size_t i = 0; i < 3 && done; i++) {
@@ -364,12 +307,11 @@ static bool encode_all(const struct inputs *inputs, struct error *error) {
 
 /* More than one block, so that memory can run out between two. Words that nearly repeat make the
  * compressor look ahead. */
-static bool encode_large(const struct inputs *inputs, struct error *error) {
+static bool encode_large(struct error *error) {
     struct image image = {0};
     struct bytes out = {0};
     uint32_t state = 3;
     bool done = image_create(&image, 300, 300, IMAGE_GREY, error);
-    (void)inputs;
     for (size_t i = 0; done && i < 300 * (size_t)300; i++) {
         state = state * 1664525u + 1013904223u;
         size_t back = 1 + (state >> 8) % 900;
@@ -383,20 +325,11 @@ static bool encode_large(const struct inputs *inputs, struct error *error) {
     return done;
 }
 
-static void test_images(void) {
-    static const struct task tasks[] = {
-        {"tga_decode with colour map", decode_tga_map},
-        {"tga_encode, ppm_encode, png_encode", encode_all},
-        {"png_encode of a large image", encode_large},
-    };
-    RUN_TASKS(tasks);
-}
-
 /* ---- Scenes and models ---- */
 
-static bool decode_scene(const struct inputs *inputs, struct error *error) {
+static bool decode_scene(struct error *error) {
     struct text_scene scene;
-    const struct bytes *text = &inputs->long_scene;
+    const struct bytes *text = &inputs.long_scene;
     bool done = text_scene_decode(&scene, text->data, text->size, TEXT_SCENE_TRIANGLES, error);
     CHECK(done ? scene.shape_count == 100 : scene.shapes == NULL);
     text_scene_free(&scene);
@@ -411,14 +344,14 @@ static bool decode_model(const struct bytes *text, struct error *error) {
     return done;
 }
 
-static bool decode_models(const struct inputs *inputs, struct error *error) {
-    return decode_model(&inputs->long_obj, error) && decode_model(&inputs->one_color, error) &&
-           decode_model(&inputs->long_off, error);
+static bool decode_models(struct error *error) {
+    return decode_model(&inputs.long_obj, error) && decode_model(&inputs.one_color, error) &&
+           decode_model(&inputs.long_off, error);
 }
 
-static bool give_normals_and_colors(const struct inputs *inputs, struct error *error) {
+static bool give_normals_and_colors(struct error *error) {
     struct model model;
-    bool done = model_read(&model, inputs->off, error);
+    bool done = model_read(&model, name_file(&place, "cube.off"), error);
     if (done) {
         done = model_need_normals(&model, error) && model_need_colors(&model, error);
         CHECK(model.face_count == 1); /* still a valid model */
@@ -428,23 +361,13 @@ static bool give_normals_and_colors(const struct inputs *inputs, struct error *e
 }
 
 /* The diffuse texture is a TGA, the normal map a PNG. */
-static bool read_textures(const struct inputs *inputs, struct error *error) {
+static bool read_textures(struct error *error) {
     struct model model;
-    bool done = model_read(&model, inputs->obj, error) &&
+    bool done = model_read(&model, name_file(&place, "cube.obj"), error) &&
                 model_texture(&model, MODEL_DIFFUSE, error) != NULL &&
                 model_texture(&model, MODEL_NORMAL_MAP, error) != NULL;
     model_free(&model);
     return done;
-}
-
-static void test_scenes_and_models(void) {
-    static const struct task tasks[] = {
-        {"text_scene_decode", decode_scene},
-        {"model_decode", decode_models},
-        {"model_need_normals", give_normals_and_colors},
-        {"model_texture", read_textures},
-    };
-    RUN_TASKS(tasks);
 }
 
 /* ---- The pipeline ---- */
@@ -489,38 +412,61 @@ static bool finish(struct target *target, struct error *error) {
 static const struct vec3 far_eye = {1, 2, 8}, near_eye = {0.1, 0.2, 0.9};
 
 /* Draw the cube whole, then from near by: there it is clipped. */
-static bool draw_cube(const struct inputs *inputs, bool skip, struct error *error) {
+static bool draw_cube(bool skip, struct error *error) {
     struct target target;
     bool done = start(&target, error);
     target.pipeline.skip = skip;
     target.pipeline.keep_depth = true;
-    done = done && record(&target, &inputs->cube, far_eye, 0.5, error) &&
-           record(&target, &inputs->cube, near_eye, 0.5, error) && finish(&target, error);
+    done = done && record(&target, &inputs.cube, far_eye, 0.5, error) &&
+           record(&target, &inputs.cube, near_eye, 0.5, error) && finish(&target, error);
     CHECK(!done || target.pipeline.stats[STAT_FACES_CLIPPED] > 0);
     target_free(&target);
     return done;
 }
 
-static bool draw_both_ways(const struct inputs *inputs, struct error *error) {
-    return draw_cube(inputs, true, error) && draw_cube(inputs, false, error);
+static bool draw_both_ways(struct error *error) {
+    return draw_cube(true, error) && draw_cube(false, error);
 }
 
-static bool draw_many(const struct inputs *inputs, struct error *error) {
+static bool draw_many(struct error *error) {
     struct target target;
     bool done = start(&target, error) &&
-                record(&target, &inputs->many, (struct vec3){0, 0, 1}, 1, error) &&
+                record(&target, &inputs.many, (struct vec3){0, 0, 1}, 1, error) &&
                 finish(&target, error);
     CHECK(!done || target.pipeline.stats[STAT_FACES_CLIPPED] == 1);
     target_free(&target);
     return done;
 }
 
+/* The second frame of a pipeline needs no more memory than the first had. */
+static void test_second_frame(void) {
+    struct target target;
+    struct error error;
+    setenv("THREADS", "1", 1);
+    CHECK(make_inputs() && start(&target, &error));
+    for (int frame = 0; frame < 3; frame++) {
+        pipeline_clear(&target.pipeline);
+        image_clear(&target.image, color_grey(0));
+        memory.on = frame > 0;
+        memory.calls = 0;
+        memory.failing = NEVER;
+        for (int i = 0; i < 20; i++) {
+            CHECK(record(&target, i % 2 == 0 ? &inputs.cube : &inputs.many, near_eye, 0.5, &error));
+        }
+        CHECK(finish(&target, &error) && memory.calls == 0);
+        memory.on = false;
+    }
+    target_free(&target);
+    free_inputs();
+    unsetenv("THREADS");
+}
+
 /* A draw call that failed is left out, and the frame can be finished without it. */
-static bool draw_after_a_failure(const struct inputs *inputs, struct error *error) {
+static bool draw_after_a_failure(struct error *error) {
     struct target target;
     bool done = start(&target, error);
-    bool first = done && record(&target, &inputs->cube, near_eye, 0.5, error);
-    bool second = done && record(&target, &inputs->cube, near_eye, 0.5, error);
+    bool first = done && record(&target, &inputs.cube, near_eye, 0.5, error);
+    bool second = done && record(&target, &inputs.cube, near_eye, 0.5, error);
     bool finished = done && (first || second) && finish(&target, error);
     target_free(&target);
     return first && second && finished;
@@ -528,12 +474,12 @@ static bool draw_after_a_failure(const struct inputs *inputs, struct error *erro
 
 /* A frame of several rounds that fails when some of them are covered; and after it an empty one,
  * where nothing of the first may be left. */
-static bool draw_nothing_after_a_failure(const struct inputs *inputs, struct error *error) {
+static bool draw_nothing_after_a_failure(struct error *error) {
     struct target target;
     bool done = start(&target, error), drawn = done;
     target.pipeline.keep_depth = true;
     for (int i = 0; i < 20 && drawn; i++) { /* from ever nearer: all but the last are hidden */
-        drawn = record(&target, &inputs->cube, (struct vec3){1, 2, 30 - i}, 1 + i, error);
+        drawn = record(&target, &inputs.cube, (struct vec3){1, 2, 30 - i}, 1 + i, error);
     }
     bool finished = drawn && finish(&target, error);
     if (done && !finished) { /* only one allocation fails */
@@ -546,17 +492,6 @@ static bool draw_nothing_after_a_failure(const struct inputs *inputs, struct err
     }
     target_free(&target);
     return finished;
-}
-
-static void test_pipeline(void) {
-    static const struct task tasks[] = {
-        {"pipeline_draw of many faces", draw_many},
-        {"pipeline_draw", draw_both_ways},
-        {"pipeline_draw of a model after one that failed", draw_after_a_failure},
-        {"a frame after one that failed", draw_nothing_after_a_failure}};
-    setenv("THREADS", "1", 1); /* a thread that is there takes memory, but at no certain time */
-    RUN_TASKS(tasks);
-    unsetenv("THREADS");
 }
 
 /* ---- A whole program ---- */
@@ -590,78 +525,83 @@ static const struct program text_program = {.name = "probe",
                                             .scenes = scenes,
                                             .scene_count = 2};
 
-/* Run with standard output thrown away and standard error kept. Status 1 is an error of which the
- * message was printed; images that were saved before it are complete, and nothing else is there. */
-static bool run_program(const struct program *program, const struct inputs *inputs, int argc,
-                        char **argv, struct error *error) {
-    char log[PATH_SIZE], images[PATH_SIZE], path[PATH_SIZE + 16];
-    static const char *const names[] = {"dot.tga", "film.tga",  "dot.png",  "film.png",
-                                        "dot.ppm", "scene.ppm", "scene.tga"};
-    snprintf(log, sizeof log, "%.60s/log", inputs->directory);
-    snprintf(images, sizeof images, "%.60s/images", inputs->directory);
-    fflush(stdout);
-    int kept_out = dup(1), kept_error = dup(2);
-    int nowhere = open("/dev/null", O_WRONLY), file = open(log, O_CREAT | O_TRUNC | O_RDWR, 0600);
-    dup2(nowhere, 1);
-    dup2(file, 2);
-    int status = program_main(program, argc, argv);
-    fflush(stdout);
-    dup2(kept_out, 1);
-    dup2(kept_error, 2);
-    ssize_t size = pread(file, error->message, sizeof error->message - 1, 0);
+/* Run in a directory of its own, standard output thrown away and standard error kept. Status 1 is
+ * an error of which the message was printed; images that were saved before it are complete, and
+ * nothing else is there. */
+static bool run_program(const struct program *program, char *arguments[5], struct error *error) {
+    static const char *const names[] = {"dot.tga", "film.tga", "dot.ppm", "film.ppm", "scene.ppm"};
+    char *argv[8] = {(char *)"probe", (char *)"-o"};
+    struct place images = place_create();
+    memcpy(argv + 3, arguments, 5 * sizeof *arguments);
+    argv[2] = images.directory;
+    int nowhere = open("/dev/null", O_WRONLY),
+        log = open(name_file(&images, "log"), O_CREAT | O_RDWR, 0600);
+    struct streams streams = streams_lead(-1, nowhere, log);
+    int status = program_main(program, 8, argv);
+    streams_restore(&streams);
+    ssize_t size = pread(log, error->message, sizeof error->message - 1, 0);
     close(nowhere);
-    close(file);
-    close(kept_out);
-    close(kept_error);
-    unlink(log);
+    close(log);
     if (CHECK(size >= 0)) {
         error->message[strcspn(error->message, "\n")] = '\0';
         CHECK(size == 0 || (size_t)size == strlen(error->message) + 1); /* one line */
     }
     size_t saved = 0;
     for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
-        snprintf(path, sizeof path, "%s/%s", images, names[i]);
-        saved += unlink(path) == 0;
+        saved += unlink(name_file(&images, names[i])) == 0;
     }
-    rmdir(images);
-    struct stat left;
-    CHECK(stat(images, &left) != 0); /* nothing else was in it */
+    place_remove(&images, "log"); /* nothing else was in it */
     CHECK(status == 0 || status == 1);
     CHECK((status == 0) == (size == 0));
     CHECK(status != 0 || saved > 0);
     return status == 0;
 }
 
-static bool run_with_model(const struct inputs *inputs, const char *option, const char *value,
-                           struct error *error) {
-    char images[PATH_SIZE];
-    snprintf(images, sizeof images, "%.60s/images", inputs->directory);
-    char *argv[] = {(char *)"probe",       (char *)"-o",        images,
-                    (char *)option,        (char *)value,       (char *)"--fit",
-                    (char *)"--two-sided", (char *)inputs->obj, NULL};
-    return run_program(&model_program, inputs, 8, argv, error);
+static bool run_repeated(struct error *error) {
+    char *arguments[] = {(char *)"--repeat", (char *)"3", (char *)"--fit", (char *)"--two-sided",
+                         (char *)name_file(&place, "cube.obj")};
+    return run_program(&model_program, arguments, error);
 }
 
-static bool run_repeated(const struct inputs *inputs, struct error *error) {
-    return run_with_model(inputs, "--repeat", "3", error);
+static bool run_text(struct error *error) {
+    char *arguments[] = {(char *)"--format", (char *)"ppm", (char *)"--stats", (char *)"--",
+                         (char *)name_file(&place, "scene.txt")};
+    return run_program(&text_program, arguments, error);
 }
 
-static bool run_text(const struct inputs *inputs, struct error *error) {
-    char images[PATH_SIZE];
-    snprintf(images, sizeof images, "%.60s/images", inputs->directory);
-    char *argv[] = {(char *)"probe", (char *)"-o",          images, (char *)"--format",
-                    (char *)"ppm",   (char *)inputs->scene, NULL};
-    return run_program(&text_program, inputs, 6, argv, error);
-}
-
-static void test_programs(void) {
-    static const struct task tasks[] = {{"a program with --repeat", run_repeated},
-                                        {"a program with a text scene", run_text}};
 #ifdef __GLIBC__
-    spared = 1; /* that of keep_freed_memory() */
+enum { SPARED = 1 }; /* that of keep_freed_memory() */
+#else
+enum { SPARED = 0 };
 #endif
-    RUN_TASKS(tasks);
-    spared = 0;
+
+static void test_each_allocation(void) {
+    static const struct task tasks[] = {
+        {"file_read of a pipe", read_pipe, 0},
+        {"file_write", make_file, 0},
+        {"file_write over an old file", replace_file, 0},
+        {"bytes_append", append_bytes, 0},
+        {"tga_decode with colour map", decode_tga_map, 0},
+        {"tga_encode, ppm_encode, png_encode", encode_all, 0},
+        {"png_encode of a large image", encode_large, 0},
+        {"text_scene_decode", decode_scene, 0},
+        {"model_decode", decode_models, 0},
+        {"model_need_normals", give_normals_and_colors, 0},
+        {"model_texture", read_textures, 0},
+        {"pipeline_draw of many faces", draw_many, 0},
+        {"pipeline_draw", draw_both_ways, 0},
+        {"pipeline_draw of a model after one that failed", draw_after_a_failure, 0},
+        {"a frame after one that failed", draw_nothing_after_a_failure, 0},
+        {"a program with --repeat", run_repeated, SPARED},
+        {"a program with a text scene", run_text, SPARED},
+    };
+    setenv("THREADS", "1", 1); /* a thread that is there takes memory, but at no certain time */
+    CHECK(make_inputs());
+    for (size_t i = 0; i < sizeof tasks / sizeof tasks[0]; i++) {
+        CHECK_ROW(fail_each(&tasks[i]) > 0, tasks[i].name); /* or nothing is wrapped */
+    }
+    free_inputs();
+    unsetenv("THREADS");
 }
 
 /* More elements than a size can count the bytes of; the array stays as it was. */
@@ -671,5 +611,4 @@ static void test_too_many_elements(void) {
     CHECK(array_reserve(NULL, &capacity, SIZE_MAX / 8 + 2, 8) == NULL && capacity == 0);
 }
 
-UNIT_MAIN(TEST(test_too_many_elements), TEST(test_files), TEST(test_images),
-          TEST(test_scenes_and_models), TEST(test_pipeline), TEST(test_programs))
+UNIT_MAIN(TEST(test_too_many_elements), TEST(test_each_allocation), TEST(test_second_frame))

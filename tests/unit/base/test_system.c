@@ -136,30 +136,24 @@ ssize_t __wrap_write(int file, const void *data, size_t size) {
 static const char old_text[] = "the old text of the file";
 static const char new_text[] = "and another one";
 
-/* With the paths of a file that is there, and of one that is not. */
-struct files {
-    struct place place;
-    char old[128], fresh[128];
-};
-
-static struct files files_create(void) {
-    struct files files = {.place = place_create()};
-    snprintf(files.old, sizeof files.old, "%s/old", files.place.directory);
-    snprintf(files.fresh, sizeof files.fresh, "%s/fresh", files.place.directory);
-    CHECK(put_text(files.old, old_text));
-    return files;
+static struct place place_with_old(void) {
+    struct place place = place_create();
+    CHECK(put_text(name_file(&place, "old"), old_text));
+    return place;
 }
 
 /* ---- Tests ---- */
 
 enum task { READ_OLD, WRITE_FRESH, WRITE_OLD, WRITE_DEVICE, TASKS };
 
-static const char *task_path(enum task task, const struct files *files) {
-    return task == WRITE_DEVICE ? "/dev/null" : task == WRITE_FRESH ? files->fresh : files->old;
+/* The path stays in the place. */
+static const char *task_path(enum task task, struct place *place) {
+    return task == WRITE_DEVICE ? "/dev/null"
+                                : name_file(place, task == WRITE_FRESH ? "fresh" : "old");
 }
 
-static bool run_task(enum task task, const struct files *files, struct error *error) {
-    const char *path = task_path(task, files);
+static bool run_task(enum task task, struct place *place, struct error *error) {
+    const char *path = task_path(task, place);
     if (task != READ_OLD) {
         return file_write(path, new_text, strlen(new_text), error);
     }
@@ -172,13 +166,13 @@ static bool run_task(enum task task, const struct files *files, struct error *er
 }
 
 /* Is the directory as it should be? Brings it back to its first state. */
-static void check_place(enum task task, const struct files *files, bool done) {
-    CHECK(file_is(files->old, done && task == WRITE_OLD ? new_text : old_text));
-    CHECK(put_text(files->old, old_text));
+static void check_place(enum task task, struct place *place, bool done) {
+    CHECK(file_is(name_file(place, "old"), done && task == WRITE_OLD ? new_text : old_text));
+    CHECK(put_text(place->path, old_text));
     if (done && task == WRITE_FRESH) {
-        CHECK(file_is(files->fresh, new_text) && unlink(files->fresh) == 0);
+        CHECK(file_is(name_file(place, "fresh"), new_text) && unlink(place->path) == 0);
     }
-    CHECK(place_count(&files->place) == 1); /* nothing half-written */
+    CHECK(place_count(place) == 1); /* nothing half-written */
 }
 
 /* Does the message say where and why? */
@@ -196,77 +190,77 @@ static int next_file(void) {
 }
 
 /* Run a task with system calls that fail as the fields say, and look at the directory. */
-static bool attempt(enum task task, const struct files *files, struct system_calls fields,
+static bool attempt(enum task task, struct place *place, struct system_calls fields,
                     struct error *error) {
     int next = next_file();
     *error = (struct error){0};
     system_calls = fields;
     system_calls.on = true;
-    bool done = run_task(task, files, error);
+    bool done = run_task(task, place, error);
     system_calls.on = false;
     CHECK(next_file() == next);
-    check_place(task, files, done);
+    check_place(task, place, done);
     return done;
 }
 
 static void test_each_call_fails(void) {
-    struct files files = files_create();
+    struct place place = place_with_old();
     struct error error;
     for (enum task task = READ_OLD; task < TASKS; task++) {
         long n = 0;
         do {
             bool done =
-                attempt(task, &files, (struct system_calls){.failing = n, .reason = EIO}, &error);
+                attempt(task, &place, (struct system_calls){.failing = n, .reason = EIO}, &error);
             /* What was read before a close that fails has been read. */
             CHECK(done ? !system_calls.failed || task == READ_OLD
-                       : tells(&error, task_path(task, &files), EIO));
+                       : tells(&error, task_path(task, &place), EIO));
             n++;
         } while (system_calls.failed);
         CHECK(n > 3);
     }
-    place_remove(&files.place, "old");
+    place_remove(&place, "old");
 }
 
 /* Interrupted calls, and a disk that takes nothing, which is full. */
 static void test_interrupted_and_full(void) {
-    struct files files = files_create();
+    struct place place = place_with_old();
     struct error error;
     for (enum task task = READ_OLD; task < TASKS; task++) {
         struct system_calls interrupt = {.failing = NEVER, .interrupt = true};
-        CHECK(attempt(task, &files, interrupt, &error) && system_calls.interrupts > 4);
+        CHECK(attempt(task, &place, interrupt, &error) && system_calls.interrupts > 4);
         struct system_calls full = {.failing = NEVER, .full = true};
-        CHECK(attempt(task, &files, full, &error) == (task == READ_OLD));
-        CHECK(task == READ_OLD || tells(&error, task_path(task, &files), ENOSPC));
+        CHECK(attempt(task, &place, full, &error) == (task == READ_OLD));
+        CHECK(task == READ_OLD || tells(&error, task_path(task, &place), ENOSPC));
     }
-    place_remove(&files.place, "old");
+    place_remove(&place, "old");
 }
 
 /* Names of temporary files that are taken are passed over; when all are, that is an error. */
 static void test_taken_names(void) {
-    struct files files = files_create();
+    struct place place = place_with_old();
     struct error error;
     CHECK(
-        attempt(WRITE_FRESH, &files, (struct system_calls){.failing = NEVER, .taken = 3}, &error));
-    CHECK(!attempt(WRITE_FRESH, &files, (struct system_calls){.failing = NEVER, .taken = 999999999},
+        attempt(WRITE_FRESH, &place, (struct system_calls){.failing = NEVER, .taken = 3}, &error));
+    CHECK(!attempt(WRITE_FRESH, &place, (struct system_calls){.failing = NEVER, .taken = 999999999},
                    &error));
-    CHECK(tells(&error, files.fresh, EEXIST));
-    place_remove(&files.place, "old");
+    CHECK(tells(&error, name_file(&place, "fresh"), EEXIST));
+    place_remove(&place, "old");
 }
 
 /* A name without a directory, and one below /dev that stands for a regular file: that is written
  * as it is, not replaced, since whoever opened it looks there. */
 static void test_seldom_names(void) {
-    struct files files = files_create();
+    struct place place = place_with_old();
     struct error error;
     char name[32];
     int here = open(".", O_RDONLY);
     CHECK(here >= 0);
-    CHECK(chdir(files.place.directory) == 0);
+    CHECK(chdir(place.directory) == 0);
     CHECK(file_write("fresh", new_text, strlen(new_text), &error));
     CHECK(fchdir(here) == 0);
     close(here);
-    check_place(WRITE_FRESH, &files, true);
-    int file = open(files.old, O_RDWR);
+    check_place(WRITE_FRESH, &place, true);
+    int file = open(name_file(&place, "old"), O_RDWR);
     struct stat before, after;
     snprintf(name, sizeof name, "/dev/fd/%d", file);
     if (access(name, W_OK) == 0) { /* not every system has them */
@@ -274,23 +268,23 @@ static void test_seldom_names(void) {
         CHECK(file_write(name, new_text, strlen(new_text), &error));
         CHECK(fstat(file, &after) == 0 && after.st_ino == before.st_ino);
         CHECK(after.st_size == (off_t)strlen(new_text));
-        check_place(WRITE_OLD, &files, true);
+        check_place(WRITE_OLD, &place, true);
     }
     close(file);
-    place_remove(&files.place, "old");
+    place_remove(&place, "old");
 }
 
 /* A file that grows past the limit while it is read. */
 static void test_growing_file(void) {
-    struct files files = files_create();
+    struct place place = place_with_old();
     struct bytes bytes;
     struct error error = {0};
     system_calls = (struct system_calls){.on = true, .failing = NEVER, .grows = true};
-    bool done = file_read(files.old, &bytes, &error);
+    bool done = file_read(name_file(&place, "old"), &bytes, &error);
     system_calls.on = false;
     CHECK(!done && bytes.data == NULL && strstr(error.message, ": is larger than 1 GiB") != NULL);
     CHECK(system_calls.grown == ((size_t)1 << 30) + 1);
-    place_remove(&files.place, "old");
+    place_remove(&place, "old");
 }
 
 UNIT_MAIN(TEST(test_taken_names), TEST(test_seldom_names), TEST(test_each_call_fails),

@@ -271,38 +271,6 @@ static void put_distance(struct bits *bits, size_t distance) {
     put_bits(bits, place.extra, place.extra_bits);
 }
 
-/* The longest match, from the longest distance, from one that is longer than what is there, and
- * from those that do not exist and would be the longest. */
-static void test_far_distances(void) {
-    enum { FAR = 32768, MATCH = 258, BEFORE = 50000 };
-    static uint8_t plain[BEFORE + MATCH];
-    uint32_t state = 1;
-    for (size_t i = 0; i < BEFORE; i++) {
-        plain[i] = i < FAR ? (uint8_t)next_random(&state) : plain[i - FAR];
-    }
-    for (unsigned row = 0; row < 4; row++) {
-        struct bits bits = {0};
-        unsigned before = row == 0 ? FAR : row == 1 ? FAR - 1 : BEFORE;
-        put_stored_header(&bits, false, before);
-        CHECK(bytes_append(&bits.bytes, plain, before));
-        put_string(&bits, "1 10");
-        put_fixed(&bits, 285);
-        if (row < 2) {
-            put_distance(&bits, FAR);
-        } else {
-            put_code(&bits, 28 + row, 5);
-        }
-        put_fixed(&bits, 256);
-        if (row == 0) {
-            check_blocks(&bits, plain, FAR + MATCH);
-        } else {
-            put_bits(&bits, 0, 32); /* nor is the end near */
-            put_bits(&bits, 0, 32);
-            check_refused(&bits, before + 1000, row == 1 ? "from before" : "does not exist", "far");
-        }
-    }
-}
-
 /* The longest match, copied in blocks, some bytes before the end of what comes out: nothing may be
  * written after it, and nothing read after the end of a stream that is cut off. */
 static void test_matches_near_end(void) {
@@ -353,23 +321,6 @@ static void test_long_codes(void) {
             check_refused(&bits, 1, "wrong code", "a code of 15 bits too many");
         }
     }
-}
-
-/* Literal codes of 1 to 15 bits: byte i has i of them, byte 0 and the end of the block 15. */
-static void test_long_literals(void) {
-    uint8_t plain[15];
-    struct bits bits = {0};
-    put_own_header(&bits, 257, 1);
-    for (unsigned i = 0; i < 258; i++) {
-        put_code(&bits, i == 0 || i == 256 ? 15 : i < 15 ? i : 0, 4);
-    }
-    for (unsigned i = 0; i < 15; i++) {
-        unsigned count = i == 0 ? 15 : i;
-        plain[i] = (uint8_t)i;
-        put_code(&bits, (1u << count) - 2, count);
-    }
-    put_code(&bits, (1u << 15) - 1, 15);
-    check_blocks(&bits, plain, sizeof plain);
 }
 
 static void test_zlib_header(void) {
@@ -524,6 +475,6 @@ static void test_limit_of_codes(void) {
 }
 
 UNIT_MAIN(TEST(test_right_blocks), TEST(test_wrong_blocks), TEST(test_stored_after_others),
-          TEST(test_far_distances), TEST(test_matches_near_end), TEST(test_long_codes),
-          TEST(test_long_literals), TEST(test_zlib_header), TEST(test_empty_blocks),
-          TEST(test_compress), TEST(test_compress_far_copies), TEST(test_limit_of_codes))
+          TEST(test_matches_near_end), TEST(test_long_codes), TEST(test_zlib_header),
+          TEST(test_empty_blocks), TEST(test_compress), TEST(test_compress_far_copies),
+          TEST(test_limit_of_codes))

@@ -1,9 +1,11 @@
 /* Normals computed from faces against acosl() and atan2l(), and colours from normals. */
-#include "files/normals.h"
+#define _XOPEN_SOURCE 700 /* POSIX.1-2008 with mkdtemp() */
 
-#include "files/model_file.h"
+#include "files/normals.h"
 #include "oracle/oracle.h"
-#include "unit/unit.h"
+#include "oracle/reals.h"
+#include "unit/frames.h"
+#include "unit/models.h"
 
 #include <math.h>
 
@@ -17,15 +19,9 @@ static double random_unit(void) { /* -1..1 */
     return random_real(&random_state, -1, 1);
 }
 
-static bool decode(struct model *model, const char *text, struct error *error) {
-    return model_decode(model, text, strlen(text), error);
+static struct vec3 random_vector(double scale) {
+    return (struct vec3){scale * random_unit(), scale * random_unit(), scale * random_unit()};
 }
-
-static bool same3(const float *a, float x, float y, float z) {
-    return a[0] == x && a[1] == y && a[2] == z;
-}
-
-#define SQUARE "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n"
 
 /* ---- Normals ---- */
 
@@ -34,14 +30,9 @@ static void test_angles(void) {
     for (int i = 0; i < 20000; i++) {
         /* Angles of every size, also near 0 and pi: b is a, plus something large or tiny. */
         double size = pow(10, random_int(-12, 2)), sign = random_int(0, 1) == 0 ? 1 : -1;
-        struct vec3 a = {random_unit(), random_unit(), random_unit()};
-        struct vec3 b = {sign * a.x + size * random_unit(), sign * a.y + size * random_unit(),
-                         sign * a.z + size * random_unit()};
-        long double x = (long double)a.y * b.z - (long double)a.z * b.y;
-        long double y = (long double)a.z * b.x - (long double)a.x * b.z;
-        long double z = (long double)a.x * b.y - (long double)a.y * b.x;
-        long double dot = (long double)a.x * b.x + (long double)a.y * b.y + (long double)a.z * b.z;
-        long double expected = atan2l(sqrtl(x * x + y * y + z * z), dot);
+        struct vec3 a = random_vector(1), b = vec3_add(vec3_scale(a, sign), random_vector(size));
+        struct real3 u = real3_from(a), v = real3_from(b);
+        long double expected = atan2l(real3_length(real3_cross(u, v)), real3_dot(u, v));
         CHECK(fabsl((long double)model_angle(a, b) - expected) < 1e-15L * pi);
     }
     struct vec3 zero = {0, 0, 0}, across = {1, 0, 0}, back = {-3, 0, 0}, up = {0, 1e-300, 0};
@@ -53,88 +44,69 @@ static void test_angles(void) {
 }
 
 /* The sum over the faces around a position of their unit normals times their angles, by acosl(). */
-static void normal_by_definition(const struct model *m, uint32_t position, long double sum[3]) {
-    sum[0] = sum[1] = sum[2] = 0;
-    for (size_t i = 0; i < m->face_count; i++) {
-        for (int j = 0; j < 3; j++) {
-            if (m->faces[i].corner[j].position != position) {
-                continue;
-            }
-            long double u[3], v[3], n[3], uu = 0, vv = 0, uv = 0, nn = 0;
-            struct vec3 p = m->positions[position];
-            struct vec3 q = m->positions[m->faces[i].corner[(j + 1) % 3].position];
-            struct vec3 r = m->positions[m->faces[i].corner[(j + 2) % 3].position];
-            const long double at[3] = {p.x, p.y, p.z}, to[3] = {q.x, q.y, q.z};
-            const long double from[3] = {r.x, r.y, r.z};
-            for (int k = 0; k < 3; k++) {
-                u[k] = to[k] - at[k];
-                v[k] = from[k] - at[k];
-                uu += u[k] * u[k];
-                vv += v[k] * v[k];
-                uv += u[k] * v[k];
-            }
-            for (int k = 0; k < 3; k++) {
-                n[k] = u[(k + 1) % 3] * v[(k + 2) % 3] - u[(k + 2) % 3] * v[(k + 1) % 3];
-                nn += n[k] * n[k];
-            }
-            if (nn > 0) {
-                long double angle = acosl(fminl(1, fmaxl(-1, uv / sqrtl(uu * vv))));
-                for (int k = 0; k < 3; k++) {
-                    sum[k] += n[k] / sqrtl(nn) * angle;
-                }
-            }
+static struct real3 normal_by_definition(const struct model *m, uint32_t position) {
+    struct real3 sum = {0, 0, 0}, at = real3_from(m->positions[position]);
+    for (size_t i = 0; i < 3 * m->face_count; i++) {
+        const struct corner *corner = m->faces[i / 3].corner;
+        if (corner[i % 3].position == position) {
+            struct vec3 to = m->positions[corner[(i + 1) % 3].position];
+            struct vec3 from = m->positions[corner[(i + 2) % 3].position];
+            struct real3 u = real3_unit(real3_sub(real3_from(to), at));
+            struct real3 v = real3_unit(real3_sub(real3_from(from), at));
+            struct real3 normal = real3_unit(real3_cross(u, v));
+            sum = real3_add(sum, normal, acosl(fminl(1, fmaxl(-1, real3_dot(u, v)))));
         }
+    }
+    return sum;
+}
+
+/* Faces, every tenth with a normal of its own, between random places. */
+static bool make_faces(struct model *m) {
+    struct bytes text = {0};
+    struct error error;
+    double scale = pow(10, random_int(-10, 10));
+    for (int i = 0; i < 20; i++) { /* so many normals that others need room */
+        struct vec3 p = random_vector(scale);
+        CHECK(bytes_print(&text, "v %.9g %.9g %.9g\nvn 5 6 7\n", p.x, p.y, p.z));
+    }
+    for (int i = 0; i < 30; i++) {
+        const char *own = i % 10 == 9 ? "//1" : "";
+        int a = random_int(1, 20), b = random_int(1, 20), c = random_int(1, 20);
+        CHECK(bytes_print(&text, "f %d%s %d%s %d%s\n", a, own, b, own, c, own));
+    }
+    bool made = CHECK(model_decode(m, text.data, text.size, &error));
+    bytes_free(&text);
+    return made;
+}
+
+static void check_normal(const struct model *m, size_t face, size_t corner) {
+    const struct corner *c = &m->faces[face].corner[corner];
+    if (!CHECK(c->normal < m->normal_count) || face % 10 == 9) {
+        CHECK(c->normal == 0);
+        return;
+    }
+    struct real3 sum = normal_by_definition(m, c->position);
+    struct real3 normal = real3_from(model_normal(m, face, corner));
+    if (real3_length(sum) < 1e-3L) { /* nearly cancelled: its direction is mere noise */
+        CHECK(fabsl(real3_dot(normal, normal) - 1) < 1e-6L);
+    } else {
+        CHECK(real3_length(real3_sub(normal, real3_unit(sum))) < 1.2e-7L);
     }
 }
 
 static void test_normals(void) {
     for (int round = 0; round < 40; round++) {
-        struct bytes bytes = {0};
         struct model m;
         struct error error;
-        char line[128];
-        double scale = pow(10, random_int(-10, 10));
-        for (int i = 0; i < 20; i++) {
-            int length = snprintf(line, sizeof line, "v %.9g %.9g %.9g\n", scale * random_unit(),
-                                  scale * random_unit(), scale * random_unit());
-            CHECK(bytes_append(&bytes, line, (size_t)length));
-            CHECK(bytes_append(&bytes, "vn 5 6 7\n", 9)); /* so many that others need room */
-        }
-        for (int i = 0; i < 30; i++) { /* every tenth face brings a normal of its own */
-            const char *own = i % 10 == 9 ? "//1" : "";
-            int a = random_int(1, 20), b = random_int(1, 20), c = random_int(1, 20);
-            int length = snprintf(line, sizeof line, "f %d%s %d%s %d%s\n", a, own, b, own, c, own);
-            CHECK(bytes_append(&bytes, line, (size_t)length));
-        }
-        if (CHECK(model_decode(&m, bytes.data, bytes.size, &error)) &&
-            CHECK(model_need_normals(&m, &error))) {
+        if (make_faces(&m) && CHECK(model_need_normals(&m, &error))) {
             size_t count = m.normal_count;
             CHECK(count > 20 && count <= 40 && same3(m.normals[0], 5, 6, 7));
-            for (size_t i = 0; i < m.face_count; i++) {
-                for (size_t j = 0; j < 3; j++) {
-                    const struct corner *c = &m.faces[i].corner[j];
-                    if (!CHECK(c->normal < m.normal_count) || i % 10 == 9) {
-                        CHECK(c->normal == 0);
-                        continue;
-                    }
-                    long double sum[3];
-                    normal_by_definition(&m, c->position, sum);
-                    long double length = sqrtl(sum[0] * sum[0] + sum[1] * sum[1] + sum[2] * sum[2]);
-                    const float *n = m.normals[c->normal];
-                    if (length < 1e-3L) { /* nearly cancelled: its direction is mere noise */
-                        CHECK(fabs((double)n[0] * n[0] + (double)n[1] * n[1] + (double)n[2] * n[2] -
-                                   1) < 1e-6);
-                        continue;
-                    }
-                    for (int k = 0; k < 3; k++) {
-                        CHECK(fabsl(n[k] - sum[k] / length) < 1e-7L);
-                    }
-                }
+            for (size_t i = 0; i < 3 * m.face_count; i++) {
+                check_normal(&m, i / 3, i % 3);
             }
             CHECK(model_need_normals(&m, &error) && m.normal_count == count);
         }
         model_free(&m);
-        bytes_free(&bytes);
     }
 }
 
@@ -143,7 +115,7 @@ static void test_no_normal(void) {
                                "v 2 0 0\nf 1 2 3\nf 1 3 2\nf 1 4 5\nf 2 6 2\n";
     struct model m;
     struct error error;
-    if (!CHECK(decode(&m, text, &error)) || !CHECK(model_need_normals(&m, &error))) {
+    if (!decode_right(&m, text) || !CHECK(model_need_normals(&m, &error))) {
         return;
     }
     struct vec3 both_sides = model_normal(&m, 0, 2), degenerate = model_normal(&m, 3, 1);
@@ -158,22 +130,39 @@ static void test_no_normal(void) {
 /* Two faces back to back: what rounding leaves of their normals is not taken for a direction. */
 static void test_back_to_back(void) {
     for (int i = 0; i < 50; i++) {
-        char text[400];
+        struct vec3 positions[3] = {random_vector(1), random_vector(1), random_vector(1)};
+        struct face faces[2];
+        struct model m =
+            plain_model(positions, 3, faces, 2, (const uint32_t[][3]){{0, 1, 2}, {2, 1, 0}});
+        struct error error;
+        CHECK(model_need_normals(&m, &error));
+        for (size_t k = 0; k < 3; k++) {
+            struct vec3 n = model_normal(&m, 0, k);
+            CHECK(n.x == 0 && n.y == 0 && n.z == 1);
+        }
+        free(m.normals);
+    }
+}
+
+/* No direction is invented: a normal that is computed points as the face does. */
+static void test_computed_normals(void) {
+    static const char *const texts[] = {
+        SQUARE "f 1//1 2//1 3//1\n",
+        SQUARE "vn 0 0 0\nf 1//1 2//1 3//1\n",
+        SQUARE "vn 1 0 0\nvn nan nan nan\nf 1//2 2//2 3//2\n",
+        "NOFF\n3 1\n0 0 0 0 0 0\n1 0 0 nan nan nan\n0 1 0 -nan(ind) 0 0\n3 0 1 2\n",
+    };
+    for (size_t i = 0; i < sizeof texts / sizeof texts[0]; i++) {
         struct model m;
         struct error error;
-        size_t used = 0;
-        for (int k = 0; k < 3; k++) {
-            used += (size_t)snprintf(text + used, sizeof text - used, "v %.9g %.9g %.9g\n",
-                                     random_unit(), random_unit(), random_unit());
-        }
-        snprintf(text + used, sizeof text - used, "f 1 2 3\nf 3 2 1\n");
-        if (CHECK(decode(&m, text, &error)) && CHECK(model_need_normals(&m, &error))) {
+        if (decode_right(&m, texts[i])) {
+            CHECK_ROW(model_need_normals(&m, &error), texts[i]);
             for (size_t k = 0; k < 3; k++) {
-                struct vec3 n = model_normal(&m, 0, k);
-                CHECK(n.x == 0 && n.y == 0 && n.z == 1);
+                struct vec3 normal = model_normal(&m, 0, k);
+                CHECK_ROW(normal.x == 0 && normal.y == 0 && normal.z == 1, texts[i]);
             }
+            model_free(&m);
         }
-        model_free(&m);
     }
 }
 
@@ -182,7 +171,7 @@ static void test_narrow_corner(void) {
     static const char text[] = "v 0 0 0\nv 0 1 0\nv 0 1 0.00001\nf 1 2 3\n";
     struct model m;
     struct error error;
-    if (CHECK(decode(&m, text, &error)) && CHECK(model_need_normals(&m, &error))) {
+    if (decode_right(&m, text) && CHECK(model_need_normals(&m, &error))) {
         CHECK(same3(m.normals[0], 1, 0, 0));
     }
     model_free(&m);
@@ -195,7 +184,7 @@ static void test_colors_from_normals(void) {
                                       "f 1//1 2//2 3//3\nf 1//2 3//2 4\n";
     struct model m;
     struct error error;
-    if (!CHECK(decode(&m, text, &error)) || !CHECK(model_need_colors(&m, &error))) {
+    if (!decode_right(&m, text) || !CHECK(model_need_colors(&m, &error))) {
         return;
     }
     CHECK(same3(m.colors[0], 0.5F, 0.5F, 0)); /* the first face decides */
@@ -215,7 +204,7 @@ static void test_given_colors(void) {
     for (size_t i = 0; i < sizeof texts / sizeof texts[0]; i++) {
         struct model m;
         struct error error;
-        if (CHECK(decode(&m, texts[i], &error)) && CHECK(model_need_colors(&m, &error))) {
+        if (decode_right(&m, texts[i]) && CHECK(model_need_colors(&m, &error))) {
             struct vec3 color = model_color(&m, 0, 0);
             CHECK(color.x == 1 && color.y == 0 && color.z == 0);
             CHECK((m.colors == NULL) == (m.face_colors != NULL) && m.normal_count == 0);
@@ -225,4 +214,5 @@ static void test_given_colors(void) {
 }
 
 UNIT_MAIN(TEST(test_angles), TEST(test_normals), TEST(test_no_normal), TEST(test_back_to_back),
-          TEST(test_narrow_corner), TEST(test_colors_from_normals), TEST(test_given_colors))
+          TEST(test_computed_normals), TEST(test_narrow_corner), TEST(test_colors_from_normals),
+          TEST(test_given_colors))

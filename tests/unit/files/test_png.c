@@ -71,11 +71,6 @@ static void put_pixels(struct bytes *file, const uint8_t *raw, size_t size) {
     bytes_free(&stream);
 }
 
-static bool decode_exact(struct image *image, const uint8_t *data, size_t size,
-                         struct error *error) {
-    return decode_exact_by(png_decode, image, data, size, error);
-}
-
 /* Bytes written as a string. */
 struct text {
     const char *bytes;
@@ -163,7 +158,8 @@ static void test_color_types(void) {
         put_pixels(&file, (const uint8_t *)rows[i].raw.bytes, rows[i].raw.size);
         size_t whole = file.size + 12;
         put_chunk(&file, "IEND", NULL, 0);
-        if (CHECK_ROW(decode_exact(&image, file.data, file.size, &error), rows[i].name)) {
+        if (CHECK_ROW(decode_exact(png_decode, &image, file.data, file.size, &error),
+                      rows[i].name)) {
             CHECK_ROW(image.width == 2 && image.height == 2, rows[i].name);
             CHECK_ROW(image.format == rows[i].format, rows[i].name);
             CHECK_ROW(memcmp(image.pixels, rows[i].pixels, 4 * (size_t)image.format) == 0,
@@ -171,7 +167,7 @@ static void test_color_types(void) {
         }
         image_free(&image);
         for (size_t size = 0; size < whole; size++) {
-            CHECK_ROW(!decode_exact(&image, file.data, size, &error), rows[i].name);
+            CHECK_ROW(!decode_exact(png_decode, &image, file.data, size, &error), rows[i].name);
         }
         /* The checksums see every change of a byte; in "teXt", which no picture needs, it is passed
          * over (but not where its length is). With another name tRNS is needed as little. */
@@ -181,7 +177,7 @@ static void test_color_types(void) {
             bool harmless = at >= 33 + 4 && at < 33 + 12 + 13;
             bool renamed = rows[i].alpha.size > 0 && at >= alpha_at + 4 && at < alpha_at + 8;
             file.data[at] ^= 0x10;
-            bool done = decode_exact(&image, file.data, file.size, &error);
+            bool done = decode_exact(png_decode, &image, file.data, file.size, &error);
             CHECK_ROW(renamed || done == harmless, rows[i].name);
             CHECK_ROW(!harmless ||
                           memcmp(image.pixels, rows[i].pixels, 4 * (size_t)image.format) == 0,
@@ -240,7 +236,7 @@ static void test_filters(void) {
         put_header(&file, WIDTH, HEIGHT, kinds[k].depth, kinds[k].type, 0);
         put_pixels(&file, raw, HEIGHT * (1 + size));
         put_chunk(&file, "IEND", NULL, 0);
-        if (CHECK(decode_exact(&image, file.data, file.size, &error))) {
+        if (CHECK(decode_exact(png_decode, &image, file.data, file.size, &error))) {
             for (int i = 0; i < WIDTH * HEIGHT; i++) {
                 int x = i % WIDTH, y = i / WIDTH;
                 const uint8_t *pixel = &plain[HEIGHT - 1 - y][(size_t)x * step];
@@ -310,7 +306,7 @@ static void test_interlaced(void) {
         put_header(&file, width, height, depth, 0, 1);
         put_pixels(&file, raw, end);
         put_chunk(&file, "IEND", NULL, 0);
-        if (CHECK(decode_exact(&image, file.data, file.size, &error))) {
+        if (CHECK(decode_exact(png_decode, &image, file.data, file.size, &error))) {
             CHECK(image.width == width && image.height == height);
             for (uint32_t k = 0; k < width * height; k++) {
                 uint32_t x = k % width, y = k / width;
@@ -337,7 +333,7 @@ static void test_split_data(void) {
             put_chunk(&file, other ? "tIME" : "IDAT", "1234567", other ? 7 : 0);
         }
         put_chunk(&file, "IEND", NULL, 0);
-        bool done = decode_exact(&image, file.data, file.size, &error);
+        bool done = decode_exact(png_decode, &image, file.data, file.size, &error);
         CHECK(done == !between);
         CHECK(done || strstr(error.message, "between its pixel data") != NULL);
         CHECK(!done || memcmp(image.pixels, raw + 1, 3) == 0);
@@ -347,69 +343,46 @@ static void test_split_data(void) {
     }
 }
 
-/* Headers that cannot be, or that the pixels do not go with. */
-static void test_wrong_headers(void) {
-    static const struct {
-        const char *name, *message;
-        uint32_t width, height;
-        unsigned depth, type, interlace;
-    } rows[] = {
-        {"no width", "0x1 pixels", 0, 1, 8, 0, 0},
-        {"no height", "1x0 pixels", 1, 0, 8, 0, 0},
-        {"2^31 wide", "2147483648x1 pixels", 0x80000000u, 1, 8, 0, 0},
-        {"2^32-1 high", "1x4294967295 pixels: a side", 1, 0xffffffffu, 8, 0, 0},
-        {"65536 wide", "65536x1 pixels: a side", 65536, 1, 8, 0, 0},
-        {"larger than the data can be", "cannot hold", 65535, 65535, 8, 6, 0},
-        {"a filter of 9", "filter, 9", 1, 1, 8, 4, 0},
-    };
-    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
-        struct bytes file = {0};
-        struct image image;
-        struct error error;
-        put_header(&file, rows[i].width, rows[i].height, rows[i].depth, rows[i].type,
-                   rows[i].interlace);
-        put_pixels(&file, (const uint8_t *)"\x09\0\0", 3);
-        put_chunk(&file, "IEND", NULL, 0);
-        CHECK_ROW(!decode_exact(&image, file.data, file.size, &error), rows[i].name);
-        CHECK_ROW(strstr(error.message, rows[i].message) != NULL, error.message);
-        bytes_free(&file);
-    }
-}
-
 /* A file of one pixel: chunks by letter and number of bytes, all 0. H header (13 are right), P
- * palette, T tRNS, D pixel, E end, o optional, X unknown, N without a name, Z of a length that
- * lies. `header` is what the header says behind the size, and the first byte of the pixel. */
-static struct bytes make_file(const uint8_t header[6], const char *chunks) {
-    static const char letters[] = "HPTDEoXNZ";
-    static const char *const types[] = {"IHDR", "PLTE", "tRNS", "IDAT", "IEND",
-                                        "tEXt", "ABCD", "ab{d", "teXt"};
-    static const uint8_t zeros[800];
-    struct bytes file = {0};
+ * palette, T tRNS, D pixel, I pixels that are none, E end, o optional, X unknown, Z of a length
+ * that lies. `header`: depth, colour type, compression, filter, interlace; the first byte of the
+ * pixel, after 256 times its row's filter; width and height where they are not 1. */
+static struct bytes make_file(const uint32_t header[8], const char *chunks) {
+    static const char letters[] = "HPTDIEoXZ";
+    static const char *const types[] = {"IHDR", "PLTE", "tRNS", "IDAT", "IDAT",
+                                        "IEND", "tEXt", "ABCD", "teXt"};
+    static const uint8_t zeros[17000];
+    const uint32_t filter = header[5] >> 8, one = header[6] == 0 && header[7] == 0;
+    struct bytes file = {0}, contents = {0};
     CHECK(bytes_append(&file, signature, sizeof signature));
+    put_32(&contents, header[6] + one);
+    put_32(&contents, header[7] + one);
+    for (int i = 0; i < 6; i++) {
+        put(&contents, i < 5 ? header[i] : 0);
+    }
     for (const char *c = chunks; *c != '\0';) {
         char letter = *c++, *end;
         size_t size = strtoul(c, &end, 10);
-        uint8_t contents[14] = {[3] = 1, [7] = 1}; /* 1x1 */
-        memcpy(contents + 8, header, 5);
         c = end;
         if (letter == 'D') {
-            const uint8_t raw[5] = {0, header[5]};
+            const uint8_t raw[5] = {(uint8_t)filter, (uint8_t)(header[5] & 255)};
             put_pixels(&file, raw, 1 + size);
         } else {
             const char *type = types[strchr(letters, letter) - letters];
-            put_chunk(&file, type, letter == 'H' ? contents : zeros, size);
+            put_chunk(&file, type, letter == 'H' ? contents.data : zeros, size);
         }
         if (letter == 'Z') {
             memcpy(file.data + file.size - 12, "\x7f\xff\xff\xff", 4);
         }
     }
+    bytes_free(&contents);
     return file;
 }
 
 static void test_chunks(void) {
     static const struct {
         const char *name, *chunks, *message; /* NULL: it can be read */
-        uint8_t header[6]; /* depth, colour type, compression, filter, interlace; the pixel */
+        uint32_t header[8];
     } rows[] = {
         {"RGB", "H13D3E", NULL, {8, 2, 0, 0, 0}},
         {"a palette that only suggests colours", "H13P768D3E", NULL, {8, 2, 0, 0, 0}},
@@ -450,7 +423,6 @@ static void test_chunks(void) {
         {"no data", "H13P6E", "without pixel data", {1, 3, 0, 0, 0}},
         {"no end", "H13P6D1", "cut off", {1, 3, 0, 0, 0}},
         {"lying length", "H13Z0D1E", "claims 2147483647 bytes", {8, 0, 0, 0, 0}},
-        {"a brace in a name", "H13N1D1E", "chunk without a name at byte 33", {8, 0, 0, 0, 0}},
         {"interlaced", "H13D1E", NULL, {8, 0, 0, 0, 1}},
         {"another interlace", "H13D1E", "interlace method", {8, 0, 0, 0, 2}},
         {"16 bits", "H13D2E", NULL, {16, 0, 0, 0, 0}},
@@ -462,12 +434,27 @@ static void test_chunks(void) {
         {"colour type 7", "H13D1E", "unknown colour type, 7", {8, 7, 0, 0, 0}},
         {"smaller than the data", "H13D2E", "larger", {8, 0, 0, 0, 0}},
         {"larger than the data", "H13D2E", "smaller", {8, 2, 0, 0, 0}},
+        {"no width", "H13D1E", "0x1 pixels", {8, 0, 0, 0, 0, 0, 0, 1}},
+        {"no height", "H13D1E", "1x0 pixels", {8, 0, 0, 0, 0, 0, 1, 0}},
+        {"2^31 wide", "H13D1E", "2147483648x1 pixels", {8, 0, 0, 0, 0, 0, 0x80000000u, 1}},
+        {"2^32-1 high", "H13D1E", "x4294967295 pixels: a side", {8, 0, 0, 0, 0, 0, 1, UINT32_MAX}},
+        {"65536 wide", "H13D1E", "65536x1 pixels: a side", {8, 0, 0, 0, 0, 0, 65536, 1}},
+        {"far larger", "H13D1E", "cannot hold", {8, 6, 0, 0, 0, 0, 65535, 65535}},
+        /* 16 million pixels may stand in any file; more, where there is a byte for 1032 of them. */
+        {"4096 x 4096", "H13I2100E", "not a zlib stream", {1, 0, 0, 0, 0, 0, 4096, 4096}},
+        {"4097 x 4097",
+         "H13I2100E",
+         "4097x4097 pixels in no more than 2100 bytes",
+         {1, 0, 0, 0, 0, 0, 4097, 4097}},
+        {"too few bytes", "H13I16263E", "pixels in no more than", {1, 0, 0, 0, 0, 0, 4097, 4097}},
+        {"enough bytes", "H13I16265E", "not a zlib stream", {1, 0, 0, 0, 0, 0, 4097, 4097}},
+        {"a filter of 9", "H13D2E", "filter, 9", {8, 4, 0, 0, 0, 0x900}},
     };
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
         struct image image;
         struct error error;
         struct bytes file = make_file(rows[i].header, rows[i].chunks);
-        bool done = decode_exact(&image, file.data, file.size, &error);
+        bool done = decode_exact(png_decode, &image, file.data, file.size, &error);
         CHECK_ROW(done == (rows[i].message == NULL), rows[i].name);
         if (!done && rows[i].message != NULL) {
             CHECK_ROW(strstr(error.message, rows[i].message) != NULL, error.message);
@@ -479,7 +466,7 @@ static void test_chunks(void) {
 
 /* Every character of a chunk's name is a letter. */
 static void test_names(void) {
-    static const uint8_t header[6] = {8};
+    static const uint32_t header[8] = {8};
     static const char characters[] = "@[`{0 azAZ";
     for (size_t i = 0; i < 4 * (sizeof characters - 1); i++) {
         struct bytes file = make_file(header, "H13o0D1E"), chunk = {0};
@@ -489,55 +476,11 @@ static void test_names(void) {
         type[i % 4] = characters[i / 4];
         put_chunk(&chunk, type, NULL, 0);
         memcpy(file.data + 33, chunk.data, chunk.size);
-        decode_exact(&image, file.data, file.size, &error);
+        decode_exact(png_decode, &image, file.data, file.size, &error);
         bool refused = strstr(error.message, "chunk without a name at byte 33") != NULL;
         CHECK_ROW(refused == (i / 4 < 6), type);
         image_free(&image);
         bytes_free(&chunk);
-        bytes_free(&file);
-    }
-}
-
-/* A square PNG of 1 bit a pixel; `noise` bytes of it are not black. */
-static struct bytes make_square(uint32_t side, size_t noise) {
-    size_t row = 1 + (side + 7) / 8, size = side * row;
-    uint8_t *rows = new_memory(size);
-    struct bytes file = {0}, stream = {0};
-    struct error error;
-    uint32_t state = 1;
-    for (size_t i = 0; i < noise; i++) {
-        rows[i + 1 + i / (row - 1)] =
-            (uint8_t)(next_random(&state) >> 16); /* never a row's filter */
-    }
-    CHECK(zlib_compress(rows, size, &stream, &error));
-    put_header(&file, side, side, 1, 0, 0);
-    put_chunk(&file, "IDAT", stream.data, stream.size);
-    put_chunk(&file, "IEND", NULL, 0);
-    bytes_free(&stream);
-    free(rows);
-    return file;
-}
-
-/* 16 million pixels may stand in any file; more, only where there are as many bytes as could hold
- * them when each had one. */
-static void test_limit_of_pixels(void) {
-    static const struct {
-        uint32_t side;
-        size_t noise;
-        const char *message;
-    } rows[] = {
-        {4096, 0, NULL},
-        {4097, 0, "a PNG of 4097x4097 pixels in no more than "},
-        {4097, 10000, "a PNG of 4097x4097 pixels in no more than "},
-        {4097, 17000, NULL}, /* 4097 * 4097 / 1032 = 16265 */
-    };
-    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
-        struct bytes file = make_square(rows[i].side, rows[i].noise);
-        struct image image;
-        struct error error = {0};
-        CHECK(png_decode(&image, file.data, file.size, &error) == (rows[i].message == NULL));
-        CHECK(rows[i].message == NULL || strstr(error.message, rows[i].message) != NULL);
-        image_free(&image);
         bytes_free(&file);
     }
 }
@@ -584,18 +527,13 @@ static void test_round_trip(void) {
         put(&file, 66);
         CHECK(png_encode(&image, &file, &error) && file.data[0] == 66);
         CHECK(file.data[1 + 24] == 8 && file.data[1 + 25] == color_types[i % 3]);
-        if (CHECK(decode_exact(&again, file.data + 1, file.size - 1, &error))) {
+        if (CHECK(decode_exact(png_decode, &again, file.data + 1, file.size - 1, &error))) {
             CHECK(same_image(&image, &again));
         }
         image_free(&again);
         image_free(&image);
         bytes_free(&file);
     }
-    struct image empty = {0};
-    struct bytes file = {0};
-    struct error error = {0};
-    CHECK(!png_encode(&empty, &file, &error) && file.data == NULL);
-    CHECK_TEXT(error.message, "an empty image cannot be written");
 }
 
 /* The filters that the encoder chose, as a set of bits. The file has one IDAT chunk after IHDR. */
@@ -688,7 +626,7 @@ static size_t play(const struct bytes *file, const struct image *frames, size_t 
                        header[9], 0);
             put_chunk(&single, "IDAT", data + (first ? 0 : 4), size - (first ? 0 : 4));
             put_chunk(&single, "IEND", NULL, 0);
-            if (CHECK(decode_exact(&part, single.data, single.size, &error))) {
+            if (CHECK(decode_exact(png_decode, &part, single.data, single.size, &error))) {
                 paste(&shown, &part, x, y);
             }
             CHECK(done < count && same_image(&shown, &frames[done]));
@@ -731,7 +669,8 @@ static void test_animation(void) {
         CHECK(apng_encode(frames, COUNT, 40, &file, &error));
         CHECK(play(&file, frames, COUNT, 40) == 600 + 6 + 600 + 1 + 1);
         /* A viewer without animation shows the first frame. */
-        CHECK(decode_exact(&still, file.data, file.size, &error) && same_image(&still, &frames[0]));
+        CHECK(decode_exact(png_decode, &still, file.data, file.size, &error) &&
+              same_image(&still, &frames[0]));
         image_free(&still);
         for (size_t k = 0; k < COUNT; k++) {
             image_free(&frames[k]);
@@ -770,6 +709,5 @@ static void test_animations(void) {
 }
 
 UNIT_MAIN(TEST(test_color_types), TEST(test_filters), TEST(test_interlaced), TEST(test_split_data),
-          TEST(test_wrong_headers), TEST(test_chunks), TEST(test_names), TEST(test_limit_of_pixels),
-          TEST(test_round_trip), TEST(test_choice_of_filters), TEST(test_animation),
-          TEST(test_animations))
+          TEST(test_chunks), TEST(test_names), TEST(test_round_trip), TEST(test_choice_of_filters),
+          TEST(test_animation), TEST(test_animations))

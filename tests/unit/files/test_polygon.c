@@ -54,29 +54,6 @@ static void make_monotone(struct polygon *p) {
     }
 }
 
-/* A square whose hole is reached from the lower side and touches the outline's last corner, often
- * along a side of the outline, even the whole of it. */
-static void make_touched(struct polygon *p) {
-    int x1, y1, x2, y2, along = random_int(0, 7);
-    do {
-        x1 = along == 1 ? 0 : random_int(1, 30);
-        y1 = along == 1 ? 0 : random_int(1, 30);
-        x2 = along == 0 ? 31 : random_int(1, 30);
-        y2 = along == 0 ? 31 : random_int(y1, 31);
-    } while (x1 * (y2 - 31) - (y1 - 31) * x2 <= 0); /* the hole must go round clockwise */
-    *p = (struct polygon){0};
-    polygon_add(p, 0, 0);
-    polygon_add(p, 15, 0);
-    polygon_add(p, x1, y1);
-    polygon_add(p, 0, 31);
-    polygon_add(p, x2, y2);
-    polygon_add(p, x1, y1);
-    polygon_add(p, 15, 0);
-    polygon_add(p, 31, 0);
-    polygon_add(p, 31, 31);
-    polygon_add(p, 0, 31);
-}
-
 /* ---- Any polygon that touches itself: triangles glued together along some of their sides ---- */
 
 enum { GRID = 5, GRID_TRIANGLES = 2 * GRID * GRID };
@@ -245,8 +222,6 @@ static void test_polygons(void) {
     for (int i = 0; i < 1000; i++) {
         make_monotone(&p);
         check_polygon(&cutter, &p, is_convex(&p), "monotone");
-        make_touched(&p);
-        check_polygon(&cutter, &p, true, "touched");
         make_glued(&p);
         check_polygon(&cutter, &p, true, "glued");
     }

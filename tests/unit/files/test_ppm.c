@@ -36,12 +36,4 @@ static void test_kinds(void) {
     }
 }
 
-static void test_empty_image(void) {
-    struct image empty = {0};
-    struct bytes out = {0};
-    struct error error = {0};
-    CHECK(!ppm_encode(&empty, &out, &error) && out.size == 0);
-    CHECK_TEXT(error.message, "an empty image cannot be written");
-}
-
-UNIT_MAIN(TEST(test_kinds), TEST(test_empty_image))
+UNIT_MAIN(TEST(test_kinds))

@@ -173,35 +173,6 @@ static void test_bits(void) {
     CHECK(right);
 }
 
-/* Texels at random places; those of the first rounds are neighbours of each other, those of the
- * next ones all the same. */
-static void test_fetched(void) {
-    enum { COUNT = 1000 };
-    struct random random = {97};
-    uint32_t *texels = malloc((COUNT + 1) * sizeof *texels);
-    for (uint32_t i = 0; texels != NULL && i <= COUNT; i++) {
-        texels[i] = i * UINT32_C(2654435761);
-    }
-    for (uint32_t round = 0; texels != NULL && round < ROUNDS; round++) {
-        uint32_t index[LANES];
-        lanes_texel indices, first, second;
-        for (uint32_t i = 0; i < LANES; i++) {
-            index[i] = round < 100   ? round + i
-                       : round < 200 ? round
-                                     : (uint32_t)(random_bits(&random) % COUNT);
-        }
-        memcpy(&indices, index, sizeof indices);
-        lanes_texel alone = lanes_fetch(texels, index);
-        lanes_fetch_pairs(texels, 4 * indices, &first, &second);
-        for (int i = 0; i < LANES; i++) {
-            CHECK(lanes_texel_at(alone, i) == texels[index[i]]);
-            CHECK(lanes_texel_at(first, i) == texels[index[i]]);
-            CHECK(lanes_texel_at(second, i) == texels[index[i] + 1]);
-        }
-    }
-    free(texels);
-}
-
 /* The last texels of the largest textures, whose bytes an int32_t cannot count: here only those are
  * in memory. */
 static void test_far_texels(void) {
@@ -450,6 +421,6 @@ static void test_places_of_two_sizes(void) {
 }
 
 UNIT_MAIN(TEST(test_one_number), TEST(test_two_numbers), TEST(test_not_a_number),
-          TEST(test_sequences), TEST(test_bits), TEST(test_fetched), TEST(test_far_texels),
-          TEST(test_colors), TEST(test_vectors), TEST(test_textures), TEST(test_corner_texels),
+          TEST(test_sequences), TEST(test_bits), TEST(test_far_texels), TEST(test_colors),
+          TEST(test_vectors), TEST(test_textures), TEST(test_corner_texels),
           TEST(test_places_of_two_sizes))

@@ -1,23 +1,12 @@
 /* Parts of a model with materials: which faces and coordinates they have, and which textures. */
 #define _XOPEN_SOURCE 700 /* POSIX.1-2008 with mkdtemp() */
 
-#include "files/model_file.h"
-#include "files/png.h"
 #include "run/parts.h"
-#include "unit/images.h"
-#include "unit/place.h"
+#include "unit/models.h"
 
 #include <stdio.h>
 
-#define SQUARE "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 0.5\n"
-
-static void put_picture(struct place *place, const char *name, struct color color) {
-    struct image image = new_image(2, 2, IMAGE_BGR);
-    struct error error;
-    image_clear(&image, color);
-    CHECK(png_write(&image, name_file(place, name), &error));
-    image_free(&image);
-}
+#define TEXTURED SQUARE "vt 0 0\nvt 1 0\nvt 1 0.5\n"
 
 /* Faces by their first positions, and the colour of the texture. */
 static void describe(const struct parts *parts, size_t i, char *text, size_t size) {
@@ -39,7 +28,7 @@ static bool read_parts(struct place *place, struct model *model, struct parts *p
     *parts = (struct parts){0};
     *missing = (struct error){0};
     bool done = CHECK(put_text(name_file(place, "m.mtl"), materials)) &&
-                CHECK(bytes_print(&text, "mtllib m.mtl\n%s%s", SQUARE, faces)) &&
+                CHECK(bytes_print(&text, "mtllib m.mtl\n%s%s", TEXTURED, faces)) &&
                 CHECK(file_write(name_file(place, "m.obj"), text.data, text.size, &error)) &&
                 CHECK_ROW(model_read(model, name_file(place, "m.obj"), &error), error.message) &&
                 CHECK(parts_move_coordinates(model, &error)) &&
@@ -99,8 +88,7 @@ static void test_parts(void) {
         parts_free(&parts);
         model_free(&model);
     }
-    CHECK(unlink(name_file(&place, "red.png")) == 0 && unlink(name_file(&place, "m.mtl")) == 0);
-    place_remove(&place, "m.obj");
+    place_remove(&place, "red.png,m.mtl,m.obj");
 }
 
 /* Normal maps of materials: in which space each is, and what is said. */
@@ -148,11 +136,7 @@ static void test_normal_maps(void) {
         parts_free(&parts);
         model_free(&model);
     }
-    const char *const names[] = {"blue.png", "red.png", "grey.png", "pale.png", "m.mtl"};
-    for (size_t i = 0; i < 5; i++) {
-        CHECK(unlink(name_file(&place, names[i])) == 0);
-    }
-    place_remove(&place, "m.obj");
+    place_remove(&place, "blue.png,red.png,grey.png,pale.png,m.mtl,m.obj");
 }
 
 /* One material scales and moves, another one has the coordinates as they are. */
@@ -173,8 +157,7 @@ static void test_coordinates(void) {
     }
     parts_free(&parts);
     model_free(&model);
-    CHECK(unlink(name_file(&place, "m.mtl")) == 0);
-    place_remove(&place, "m.obj");
+    place_remove(&place, "m.mtl,m.obj");
 }
 
 /* Faces keep their own colours, wherever they are sorted to. */

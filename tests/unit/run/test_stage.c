@@ -39,19 +39,6 @@ static void test_only_what_is_needed(void) {
     run_free(&run);
 }
 
-static void test_all_scenes_at_once(void) {
-    uint64_t model_size = file_size(default_model_path);
-    struct run run = {.program = &program, .needs = NEEDS_MODEL | NEEDS_COLORS | NEEDS_SPECULAR};
-    stage_once(&run, NEEDS_MODEL);
-    CHECK(run.model.uv_count > 0 && run.model.normal_count > 0);
-    stage_once(&run, NEEDS_MODEL | NEEDS_SPECULAR);
-    stage_once(&run, NEEDS_MODEL | NEEDS_COLORS);
-    struct loaded loaded = run_loaded(&run);
-    CHECK(loaded.textures_read == 1);
-    CHECK(loaded.bytes == model_size + file_size(COURSE_BUILD "/models/bust_spec.tga"));
-    run_free(&run);
-}
-
 static bool same(struct vec3 v, struct vec3 expected) {
     return v.x == expected.x && v.y == expected.y && v.z == expected.z;
 }
@@ -85,4 +72,4 @@ static void test_left_at_zero(void) {
     CHECK(same(s.light, own.light) && s.model == own.model);
 }
 
-UNIT_MAIN(TEST(test_only_what_is_needed), TEST(test_all_scenes_at_once), TEST(test_left_at_zero))
+UNIT_MAIN(TEST(test_only_what_is_needed), TEST(test_left_at_zero))

@@ -236,6 +236,14 @@ test('the columns of a matrix are dragged; near plane; a corner through the spac
         assert.equal(await colorOf(page, ...pixel(0.28, 0.3)), '96,62,40'); /* the door */
         await dragTo(page, [(1 + 2) / 4 * 405 - .5, 363 / 2 - .5], pixel(1, 1));
         near(await page.evaluate('chosen.right_y'), 1, 0.051);
+        await set(page, 'times y', 0.2);
+        const [[x, y], [, , mappedW], [, onX, onY]] = (await notes(page, ...pixel(1 / 1.16, 1.8 / 1.16))).split('\n').map(
+            line => [...line.matchAll(/-?\d+\.?\d*/g)].map(Number));
+        assert.deepEqual([x, y], [1, 0.8]);
+        near(mappedW, 1.16);
+        near(onX, 1 / 1.16);
+        near(onY, 1.8 / 1.16, 0.051);
+        await set(page, 'times y', 0);
         assert.equal(await colorOf(page, ...pixel(0.28, 0.3 + 0.28)), '96,62,40');
         await picture(page, 'columns');
         await page.click('button:text-is("closeup")');
@@ -245,6 +253,27 @@ test('the columns of a matrix are dragged; near plane; a corner through the spac
         assert.ok(before > 0 && await counted(page, 'faces_clipped') > before);
         await set(page, 'not cut', 1);
         assert.equal(await counted(page, 'faces_clipped'), 0);
+        await page.click('button:text-is("wall")');
+        await settled(page);
+        const row = async () => (await notes(page, 400, 390)).split('\n').slice(-3).map(
+            line => [...line.matchAll(/-?\d+\.\d+/g)].map(Number));
+        const [[uByW, , byW], [u, , w], [affine]] = await row();
+        near(uByW / byW, u);
+        near(byW * w, 1);
+        assert.ok(affine > u + 0.1);
+        const beside = () => colorOf(page, 500, 390), right = await beside();
+        await set(page, 'mixed without', 1);
+        assert.notEqual(await beside(), right);
+        await page.click('button:text-is("split")');
+        assert.ok(await page.evaluate('sameSize() && !isComparable()'), 'the lesson\'s stays beside it');
+        await picture(page, 'split');
+        await page.reload(); /* the address keeps what is shown */
+        await page.waitForFunction(() => shown && view === 'split' && chosen.affine === 1);
+        await page.click('button:text-is("yours")');
+        await page.click('#reset');
+        await settled(page);
+        await set(page, 'far end', 8);
+        assert.ok((await row())[1][2] > w);
         await page.click('button:text-is("lookat")');
         await settled(page);
         const [, clip, ndc, screen] = (await notes(page, 400, 400)).split('\n').map(
@@ -301,6 +330,15 @@ test('rings of a sphere against the error; steps of toon; a window over the line
         await set(page, 'steps', 3); /* a third of the light is in the last step, not a fifth */
         assert.equal(await shades(), 3);
         assert.ok(await full() > 1.2 * fifth);
+    });
+    await on('step09_shaders', desktop, '#scene=skipped', async page => {
+        const blue = () => page.evaluate(() => shown.pixels.filter((v, i) => i % 4 === 2 && v > 2 * shown.pixels[i - 2]).length);
+        const yellow = () => page.evaluate(() => shown.pixels.filter((v, i) => i % 4 === 1 && v > 40 + shown.pixels[i + 1]).length);
+        assert.ok(await blue() > 20000 && await yellow() > 20000);
+        assert.ok(await counted(page, 'seen_white') > 5000 && await counted(page, 'outside_red') > 100);
+        await picture(page, 'skipped');
+        await set(page, 'degrees', 0); /* from the camera itself: what is skipped is not seen */
+        assert.ok(await blue() === 0 && await yellow() < 100, `${await yellow()}`);
     });
     await on('step02_wireframe', desktop, '#scene=enlarged', async page => {
         const drawn = await counted(page, 'lines_drawn');

@@ -1,16 +1,14 @@
 /*
  * Text scenes of any bytes, read as lines and as triangles. What can be read keeps the limits of
- * text_scene.h, can be drawn without a pixel outside the image, and printed as text and read again
- * is the same scene. Every word that is a number is the number that the C library reads.
+ * text_scene.h (make stress draws what these allow), and printed as text and read again is the same
+ * scene. Every word that is a number is the number that the C library reads.
  */
 #include "base/text.h"
 #include "fuzz.h"
-#include "raster.h"
 #include "run/text_scene.h"
 
 #include <math.h>
 
-enum { SIDE = 48 };          /* pixels of the image that scenes are drawn into */
 enum { SCENE_GROWTH = 24 };  /* bytes of a shape (60) for 19 of text, in an array that doubles */
 enum { NUMBER_LENGTH = 99 }; /* longer words are not compared */
 
@@ -73,39 +71,6 @@ static void require_limits(const struct text_scene *scene, size_t corners) {
     }
 }
 
-static void draw_line(const struct text_scene_shape *shape) {
-    struct line_walk walk;
-    struct pixel a = {(int)shape->x[0], (int)shape->y[0]};
-    struct pixel b = {(int)shape->x[1], (int)shape->y[1]};
-    size_t pixels = 0;
-    for (bool more = line_begin(&walk, a, b, SIDE, SIDE); more; more = line_next(&walk)) {
-        REQUIRE(walk.x >= 0 && walk.x < SIDE && walk.y >= 0 && walk.y < SIDE);
-        pixels++;
-    }
-    REQUIRE(pixels <= SIDE); /* one in each column, or in each row */
-}
-
-static void draw_triangle(const struct text_scene_shape *shape) {
-    struct fixed2 corner[3];
-    struct edges edges;
-    for (int i = 0; i < 3; i++) {
-        REQUIRE(screen_snap((struct vec2){shape->x[i], shape->y[i]}, &corner[i]));
-    }
-    if (!edges_setup(&edges, corner[0], corner[1], corner[2], SIDE, SIDE)) {
-        return;
-    }
-    REQUIRE(edges.y_begin >= 0 && edges.y_end <= SIDE);
-    for (int y = edges.y_begin; y < edges.y_end; y++) {
-        struct span span = edges_span(&edges, y);
-        REQUIRE(span.begin >= span.end || (span.begin >= 0 && span.end <= SIDE));
-        for (int x = span.begin; x < span.end; x++) {
-            struct vec3 weight = edges_weights(&edges, x, y);
-            REQUIRE(weight.x >= 0 && weight.y >= 0 && weight.z >= 0);
-            REQUIRE(fabs(weight.x + weight.y + weight.z - 1) < 1e-9);
-        }
-    }
-}
-
 /* The scene as text, with as many digits as a double needs. */
 static void print_scene(const struct text_scene *scene, size_t corners, struct bytes *text) {
     char line[512];
@@ -162,13 +127,6 @@ static void require_scene(const uint8_t *data, size_t size, enum text_scene_kind
         return;
     }
     require_limits(&scene, corners);
-    for (size_t i = 0; i < scene.shape_count; i++) {
-        if (kind == TEXT_SCENE_LINES) {
-            draw_line(&scene.shapes[i]);
-        } else {
-            draw_triangle(&scene.shapes[i]);
-        }
-    }
     require_round_trip(&scene, kind, corners);
     text_scene_free(&scene);
 }

@@ -3,7 +3,6 @@
 
 #include "stress.h"
 
-#include <stdio.h>
 #include <string.h>
 
 /* ---- Numbers ---- */
@@ -218,17 +217,6 @@ bool layers_are_right(const struct layered *l) {
     return right;
 }
 
-void print_layers(const struct layers *layers) {
-    for (int i = 0; i < LAYER_COUNT; i++) {
-        printf("    corners (1/256 pixel) and depths:");
-        for (int k = 0; k < 3; k++) {
-            printf(" (%d %d %.17g)", (int)layers->corner[i][k].x, (int)layers->corner[i][k].y,
-                   layers->depth[i][k]);
-        }
-        printf("\n");
-    }
-}
-
 /* ---- A model of one face ---- */
 
 void make_face(struct random *random, uint64_t index, struct one_face *face) {
@@ -278,15 +266,6 @@ struct real3 face_cross(const struct one_face *face, long double *uncertainty) {
     long double area = real3_length(cross);
     *uncertainty = area > 0 ? real3_length(a) * real3_length(b) / area : 0;
     return cross;
-}
-
-void print_face(const struct one_face *face) {
-    for (int i = 0; i < 3; i++) {
-        const struct vec3 p = face->position[i];
-        const float *uv = face->uv[i], *n = face->normal[i];
-        printf("    v %.17g %.17g %.17g  vt %.9g %.9g  vn %.9g %.9g %.9g\n", p.x, p.y, p.z,
-               (double)uv[0], (double)uv[1], (double)n[0], (double)n[1], (double)n[2]);
-    }
 }
 
 /* ---- Textures ---- */

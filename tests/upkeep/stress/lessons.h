@@ -14,6 +14,7 @@
 
 /* ---- Functions of lessons that others hold against exact answers ---- */
 
+size_t lesson01_list(struct pixel a, struct pixel b, struct pixel *list);
 void lesson01_line(struct image *image, struct pixel a, struct pixel b, struct color color);
 uint64_t lesson02_line(struct image *image, struct pixel a, struct pixel b, struct color color);
 void lesson03_triangle(struct image *image, const struct fixed2 corner[3], struct color color);
@@ -21,8 +22,6 @@ void lesson04_triangle(struct image *image, const struct fixed2 corner[3], struc
 struct color lesson06_nearest(const struct texture *texture, struct vec2 uv);
 struct vec4 lesson06_bilinear(const struct texture *texture, struct vec2 uv, size_t level);
 struct vec4 lesson06_trilinear(const struct texture *texture, struct vec2 uv, double level);
-struct mat4 lesson08_viewport(size_t width, size_t height);
-struct mat4 lesson08_lookat(struct vec3 eye, struct vec3 center, struct vec3 up);
 
 /* ---- Numbers ---- */
 
@@ -32,7 +31,7 @@ bool is_near(double got, long double exact, long double slack);
 /* Is it the nearest 1/256 pixel? Halfway between two either is right. */
 bool is_snapped(int32_t position, long double pixels);
 
-/* Is a level 0..255 the one nearest to this value, or one of two that are equally near but for
+/* Is a level 0..255 the one nearest to this value, or one of two that are equally near except for
  * rounding? And is each channel of a colour; red, green, blue as x, y, z? */
 bool level_is_right(uint8_t level, long double exact);
 bool color_is_right(struct color color, struct real3 exact);
@@ -58,7 +57,7 @@ struct pixel_color shade_pixel(fragment_function *fragment, const void *uniforms
 /* base * base * ... */
 long double exact_power(long double base, int power);
 
-/* A direction of length 1, but for rounding. */
+/* A direction of length 1, except for rounding. */
 struct vec3 random_direction(struct random *random);
 
 /* A vector of any length, from 2^-reach to 2^reach; now and then zero. */
@@ -96,7 +95,7 @@ struct depth_image {
 struct layered {
     const struct layers *layers;
     const void *tried;
-    int side; /* so many pictures beside and above one another show the same layers */
+    int side; /* so many pictures next to and above one another show the same layers */
     struct layer_work (*draw)(const void *tried, const struct depth_image *on);
     /* Does the layer have this colour at this pixel, in a picture (from 0, below left)? */
     bool (*has_color)(const void *tried, int layer, int picture, int x, int y, struct color color);
@@ -106,8 +105,6 @@ struct layered {
  * by more than rounding can hide, and which is no copy of an earlier one? With its colour and its
  * depth; the same with and without skipping; and all must stay when the layers are drawn again. */
 bool layers_are_right(const struct layered *layered);
-
-void print_layers(const struct layers *layers);
 
 /* ---- A model of one face ---- */
 
@@ -128,8 +125,6 @@ struct real3 face_normal(const struct one_face *face, size_t corner); /* of leng
 /* (b - a) x (c - a) of its positions, and how uncertain rounding makes its direction: the lengths
  * of these two sides over twice the area. */
 struct real3 face_cross(const struct one_face *face, long double *uncertainty);
-
-void print_face(const struct one_face *face);
 
 /* ---- Textures ---- */
 

@@ -5,6 +5,7 @@
 #include <stdio.h>
 
 enum { WIDTH = 13, HEIGHT = 11 }; /* of the image that the lines cross */
+enum { LIST_LIMIT = 256 };        /* pixels of a short line */
 
 struct line_case {
     struct pixel a, b;
@@ -115,7 +116,22 @@ static bool line_is_exact(const void *tried) {
     return is_exact(&drawn, c);
 }
 
-/* The lesson's own line(), on an image. */
+/* The lesson's own list of a line: all of it, of which the image shows a part. */
+static bool list_is_exact(const struct line_case *c) {
+    struct pixel list[LIST_LIMIT];
+    struct drawn drawn = {.outside = false};
+    size_t count = lesson01_list(c->a, c->b, list);
+    for (size_t i = 0; i < count; i++) {
+        const struct pixel p = list[i];
+        if (p.x >= 0 && p.x < WIDTH && p.y >= 0 && p.y < HEIGHT) {
+            drawn.times[p.y][p.x]++;
+        }
+        drawn.outside = drawn.outside || !oracle_line_has(c->a, c->b, p);
+    }
+    return is_exact(&drawn, c);
+}
+
+/* The lesson's own line(), on an image, and its list. */
 static bool lesson_line_is_exact(const void *tried) {
     const struct line_case *c = tried;
     uint8_t pixels[HEIGHT * WIDTH] = {0};
@@ -125,7 +141,7 @@ static bool lesson_line_is_exact(const void *tried) {
     for (int i = 0; i < WIDTH * HEIGHT; i++) {
         drawn.times[i / WIDTH][i % WIDTH] = pixels[i];
     }
-    return is_exact(&drawn, c);
+    return is_exact(&drawn, c) && list_is_exact(c);
 }
 
 /* ---- Lesson 2: the same on images of any size, of which a line may have little inside ---- */

@@ -5,37 +5,19 @@
 #include "stress.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <string.h>
 
-static void make_case(struct random *random, enum soup_kind kind, void *made) {
-    *(struct soup_case *)made = (struct soup_case){random_bits(random), kind};
-}
+/* Soups of one kind and of another, in turn. */
+#define MAKE_SOUPS(name, kind, other)                                                              \
+    static void name(struct random *random, uint64_t index, void *made) {                          \
+        *(struct soup_case *)made =                                                                \
+            (struct soup_case){random_bits(random), index % 2 ? (kind) : (other)};                 \
+    }
 
-static void make_whole(struct random *random, uint64_t index, void *made) {
-    (void)index;
-    make_case(random, SOUP_WHOLE, made);
-}
-
-static void make_seen_by_camera(struct random *random, uint64_t index, void *made) {
-    (void)index;
-    make_case(random, SOUP_CAMERA, made);
-}
-
-static void make_steep(struct random *random, uint64_t index, void *made) {
-    make_case(random, index % 2 ? SOUP_STEEP : SOUP_CAMERA, made);
-}
-
-static void make_largest(struct random *random, uint64_t index, void *made) {
-    make_case(random, index % 2 ? SOUP_WIDE : SOUP_HIGH, made);
-}
-
-static void print_soup(const void *failing) {
-    const struct soup_case *c = failing;
-    struct soup soup;
-    soup_make(&soup, c->seed, (enum soup_kind)c->kind);
-    soup_print(&soup);
-}
+MAKE_SOUPS(make_whole, SOUP_WHOLE, SOUP_WHOLE)
+MAKE_SOUPS(make_seen_by_camera, SOUP_CAMERA, SOUP_CAMERA)
+MAKE_SOUPS(make_steep, SOUP_STEEP, SOUP_CAMERA)
+MAKE_SOUPS(make_largest, SOUP_WIDE, SOUP_HIGH)
 
 /* ---- Drawing a soup ---- */
 
@@ -253,11 +235,12 @@ static bool judge_values(const void *tried, struct tally *tally) {
     return right;
 }
 
-static const struct case_kind whole_cases = {sizeof(struct soup_case), make_whole, print_soup};
+static const struct case_kind whole_cases = {sizeof(struct soup_case), make_whole, soup_print_case};
 static const struct case_kind seen_by_camera_cases = {sizeof(struct soup_case), make_seen_by_camera,
-                                                      print_soup};
-static const struct case_kind steep_cases = {sizeof(struct soup_case), make_steep, print_soup};
-static const struct case_kind largest_cases = {sizeof(struct soup_case), make_largest, print_soup};
+                                                      soup_print_case};
+static const struct case_kind steep_cases = {sizeof(struct soup_case), make_steep, soup_print_case};
+static const struct case_kind largest_cases = {sizeof(struct soup_case), make_largest,
+                                               soup_print_case};
 
 const struct property pipeline_properties[] = {
     PROPERTY("pipeline: the nearest by z/w", AGAINST_FRACTIONS, 15000, whole_cases,

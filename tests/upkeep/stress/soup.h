@@ -107,13 +107,13 @@ unsigned soup_candidates(const struct soup *soup, const struct soup_seen *seen);
 double soup_depth_tolerance(const struct soup *soup, size_t face);
 double soup_value_tolerance(const struct soup *soup, const struct soup_hit *hit);
 
-/* In the form of an OBJ file, with the rest as comments. */
-void soup_print(const struct soup *soup);
-
 /* A soup as a case of a property. */
 struct soup_case {
     uint64_t seed;
     uint64_t kind; /* enum soup_kind */
 };
+
+/* Print a struct soup_case in the form of an OBJ file, with the rest as comments. */
+void soup_print_case(const void *failing);
 
 #endif

@@ -2,9 +2,9 @@
  * Runs all properties: stress [NAME ...]
  *
  * Environment: STRESS=10 tries ten times the cases (also fractions: 0.1), SEED=7 another sequence
- * of them. Prints a line a property: what it is held against, cases tried and failed. For each
- * failing property follows its first failing case. Exit status 0: all hold;
- * 1: some do not; 2: wrong usage.
+ * of them, CASE=12 one case of each property, for a debugger. Prints a line a property: what it is
+ * held against, cases tried and failed. For each failing property follows its first failing case.
+ * Exit status 0: all hold; 1: some do not; 2: wrong usage.
  */
 #include "stress.h"
 
@@ -56,14 +56,16 @@ static bool try_case(const struct property *property, const void *tried, struct 
     return right && (property->judge == NULL || property->judge(tried, tally));
 }
 
-static struct outcome try_cases(const struct property *property, uint64_t seed, uint64_t cases) {
+/* The cases begin..end - 1. */
+static struct outcome try_cases(const struct property *property, uint64_t seed, uint64_t begin,
+                                uint64_t end) {
     uint64_t failed = 0, first_failure = UINT64_MAX, asked = 0, left_out = 0;
     double worst = 0;
 #ifdef _OPENMP
 #pragma omp parallel for schedule(dynamic, 16) reduction(+ : failed, asked, left_out)              \
     reduction(min : first_failure) reduction(max : worst)
 #endif
-    for (uint64_t i = 0; i < cases; i++) {
+    for (uint64_t i = begin; i < end; i++) {
         union {
             unsigned char bytes[CASE_SIZE_LIMIT];
             max_align_t aligned;
@@ -87,13 +89,22 @@ static void print_case(const struct property *property, uint64_t seed, uint64_t 
         max_align_t aligned;
     } failing;
     make_case(property, seed, index, &failing);
-    printf("  case %llu:\n", (unsigned long long)index);
-    property->kind->print(&failing);
+    printf("  case %llu\n", (unsigned long long)index);
+    if (property->kind->print != NULL) {
+        property->kind->print(&failing);
+    }
 }
 
-static bool run_property(const struct property *property, double factor, uint64_t seed) {
-    uint64_t cases = (uint64_t)fmax(1, (double)property->cases * factor);
-    struct outcome outcome = try_cases(property, seed, cases);
+/* What the environment asks for. */
+struct wish {
+    double factor;
+    int64_t seed, only; /* this case alone; -1: all */
+};
+
+static bool run_property(const struct property *property, const struct wish *wish) {
+    uint64_t seed = (uint64_t)wish->seed, begin = wish->only < 0 ? 0 : (uint64_t)wish->only;
+    uint64_t cases = wish->only < 0 ? (uint64_t)fmax(1, (double)property->cases * wish->factor) : 1;
+    struct outcome outcome = try_cases(property, seed, begin, begin + cases);
     printf("%-35s %-15s  cases %7llu, failed %llu", property->name, against_name[property->against],
            (unsigned long long)cases, (unsigned long long)outcome.failed);
     if (property->error_unit != NULL) {
@@ -120,42 +131,44 @@ static bool is_asked_for(const char *name, int argc, char **argv) {
     return argc < 2;
 }
 
-static bool read_environment(double *factor, uint64_t *seed) {
-    const char *factor_text = getenv("STRESS"), *seed_text = getenv("SEED");
-    int64_t given_seed = 1;
-    *factor = 1;
-    if (factor_text != NULL && *factor_text != '\0' &&
-        (!word_to_double((struct word){factor_text, strlen(factor_text)}, factor) ||
-         !(*factor > 0 && *factor <= 1e6))) {
-        fprintf(stderr, "stress: STRESS wants a number from 0 to 1000000, not '%s'\n", factor_text);
+static bool read_whole(const char *name, int64_t *value) {
+    const char *text = getenv(name);
+    if (text == NULL || *text == '\0' ||
+        word_to_integer((struct word){text, strlen(text)}, value)) {
+        return true;
+    }
+    fprintf(stderr, "stress: %s wants a whole number, not '%s'\n", name, text);
+    return false;
+}
+
+static bool read_environment(struct wish *wish) {
+    const char *text = getenv("STRESS");
+    *wish = (struct wish){.factor = 1, .seed = 1, .only = -1};
+    if (text != NULL && *text != '\0' &&
+        (!word_to_double((struct word){text, strlen(text)}, &wish->factor) ||
+         !(wish->factor > 0 && wish->factor <= 1e6))) {
+        fprintf(stderr, "stress: STRESS wants a number from 0 to 1000000, not '%s'\n", text);
         return false;
     }
-    if (seed_text != NULL && *seed_text != '\0' &&
-        !word_to_integer((struct word){seed_text, strlen(seed_text)}, &given_seed)) {
-        fprintf(stderr, "stress: SEED wants a whole number, not '%s'\n", seed_text);
-        return false;
-    }
-    *seed = (uint64_t)given_seed;
-    return true;
+    return read_whole("SEED", &wish->seed) && read_whole("CASE", &wish->only);
 }
 
 int main(int argc, char **argv) {
     static const struct property *const tables[] = {
         line_properties,     triangle_properties, mesh_properties,     pipeline_properties,
-        camera_properties,   texture_properties,  lesson02_properties, lesson04_properties,
-        lesson05_properties, lesson06_properties, lesson07_properties, lesson08_properties,
-        lesson09_properties, lesson10_properties,
+        camera_properties,   texture_properties,  lesson04_properties, lesson05_properties,
+        lesson06_properties, lesson07_properties, lesson08_properties, lesson09_properties,
+        lesson10_properties,
     };
-    double factor;
-    uint64_t seed;
-    if (!read_environment(&factor, &seed)) {
+    struct wish wish;
+    if (!read_environment(&wish)) {
         return 2;
     }
     size_t held = 0, broken = 0;
     for (size_t i = 0; i < sizeof tables / sizeof tables[0]; i++) {
         for (const struct property *p = tables[i]; p->name != NULL; p++) {
             if (is_asked_for(p->name, argc, argv)) {
-                bool holds = run_property(p, factor, seed);
+                bool holds = run_property(p, &wish);
                 held += holds;
                 broken += !holds;
             }
@@ -165,6 +178,7 @@ int main(int argc, char **argv) {
         fprintf(stderr, "stress: no property has such a name\n");
         return 2;
     }
-    printf("%zu properties hold, %zu do not (SEED=%llu)\n", held, broken, (unsigned long long)seed);
+    printf("%zu properties hold, %zu do not (SEED=%llu)\n", held, broken,
+           (unsigned long long)wish.seed);
     return broken > 0;
 }

@@ -3,7 +3,6 @@
 #include "lessons.h"
 #include "stress.h"
 
-#include <stdio.h>
 #include <string.h>
 
 enum { SIDE_LIMIT = 9 };
@@ -195,22 +194,8 @@ static double trilinear_error(const void *tried) {
     return error;
 }
 
-static void print_texture(const void *failing) {
-    const struct texture_case *c = failing;
-    printf("    at u %.17g v %.17g, mip level %.17g, of %dx%d texels%s, bottom row first:\n", c->u,
-           c->v, c->mip_level, c->width, c->height, c->clamp ? ", clamped" : "");
-    for (int y = 0; y < c->height; y++) {
-        printf("   ");
-        for (int x = 0; x < c->width; x++) {
-            const uint8_t *texel = c->level[y * c->width + x];
-            printf(" %d,%d,%d,%d", texel[2], texel[1], texel[0], texel[3]);
-        }
-        printf("\n");
-    }
-}
-
-static const struct case_kind texture_cases = {sizeof(struct texture_case), make_texture,
-                                               print_texture};
+static const struct case_kind texture_cases = {.size = sizeof(struct texture_case),
+                                               .make = make_texture};
 
 const struct property texture_properties[] = {
     PROPERTY("texture: nearest texel", AGAINST_LONG_DOUBLE, 300000, texture_cases,

@@ -1,0 +1,39 @@
+# What a machine must have to build the course, said in a sentence where it is missing; and what is
+# otherwise where Windows itself builds it. The Makefile includes this page.
+
+define NO_COMPILER
+there is no C compiler called $(firstword $(CC)). Is another one here (make CC=gcc)? To install one:
+    Debian, Ubuntu, WSL   sudo apt-get install gcc libc6-dev make
+    Fedora                sudo dnf install gcc make
+    Alpine                sudo apk add gcc musl-dev make
+    Arch                  sudo pacman -S gcc make
+    macOS                 xcode-select --install
+    MSYS2 (no check)      pacman -S make mingw-w64-ucrt-x86_64-gcc
+endef
+
+ifneq ($(filter-out help clean start solution handout commands,$(or $(MAKECMDGOALS),all)),)
+MISSING := $(shell command -v $(firstword $(CC)) >/dev/null 2>&1 || echo compiler; \
+                   [ -d '$(or $(TMPDIR),.)' ] || echo temporary; \
+                   { mkdir -p '$(BUILD)' && [ -w '$(BUILD)' ]; } 2>/dev/null || echo build; \
+                   case $$($(CC) -dumpmachine 2>/dev/null) in (*mingw*) echo windows ;; esac)
+$(if $(filter compiler,$(MISSING)),$(error $(NO_COMPILER)))
+$(if $(filter build,$(MISSING)),$(error nothing can be written into $(BUILD): name another directory, \
+    for example make BUILD=/tmp/course))
+ifneq ($(filter temporary,$(MISSING)),)
+$(warning TMPDIR=$(TMPDIR) is no directory: /tmp is taken)
+override TMPDIR := /tmp
+export TMPDIR
+endif
+# Windows itself draws the pictures. It has no fork() and no signals, which the check needs, calls
+# directories otherwise than the shell of MSYS2, converts to float in its isfinite(), and has a printf()
+# of its own without %zu.
+ifneq ($(filter windows,$(MISSING)),)
+POSIX := $(filter-out all programs models new $(patsubst %/.new,%,$(wildcard */.new)) $(STEPS) \
+             $(BUILD)/%,$(MAKECMDGOALS))
+$(if $(POSIX),$(error make $(POSIX) needs WSL: README.md, "Start"))
+override MAKE_TERMOUT =
+BUILT := $(or $(shell cygpath -am '$(BUILD)' 2>/dev/null),$(BUILT))
+WARNINGS += -Wno-float-conversion
+DEFINES += -D__USE_MINGW_ANSI_STDIO=1
+endif
+endif
