@@ -111,7 +111,7 @@ static bool visibility_create(struct visibility *visibility, const struct frame 
 /* Memory for the pieces of one band: fewer than all. What is not used is not touched. */
 static bool scratch_reserve(struct scratch *scratch, const struct frame *frame) {
     size_t pixels = chunk_columns(frame) * CHUNK * BAND_HEIGHT, count = frame->sorted_count + 1;
-    size_t visible = count < pixels ? count : pixels;
+    size_t visible = (count < pixels ? count : pixels) + TOGETHER; /* which are written at once */
     return array_extend(&scratch->pieces, &scratch->piece_capacity, count,
                         sizeof *scratch->pieces) &&
            array_extend(&scratch->fetched, &scratch->fetched_capacity, count,
@@ -119,7 +119,7 @@ static bool scratch_reserve(struct scratch *scratch, const struct frame *frame) 
            array_extend(&scratch->visible, &scratch->visible_capacity, count,
                         sizeof *scratch->visible) &&
            array_extend(&scratch->planes, &scratch->plane_capacity, visible,
-                        sizeof(struct planes) + (VARYING_LIMIT + 1) * sizeof(struct plane)) &&
+                        PLANES_SIZE(VARYING_LIMIT) * sizeof *scratch->planes) &&
            (!frame->discards || scratch->before.depth != NULL ||
             visibility_create(&scratch->before, frame));
 }

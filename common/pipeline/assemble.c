@@ -227,8 +227,8 @@ static bool add_clipped_face(const struct frame *frame, struct block *block, siz
 /* ---- Faces ---- */
 
 /* Put the corners of faces into a batch. */
-static void put_corners(const struct frame *frame, struct batch *batch,
-                        const struct recorded_call *call, const struct face *faces) {
+static void fill_corners(const struct frame *frame, struct batch *batch,
+                         const struct recorded_call *call, const struct face *faces) {
     const struct screen_position *positions = frame->positions + call->first_position;
     for (size_t at = 0; at < batch->count; at++) {
         for (int i = 0; i < 3; i++) {
@@ -240,8 +240,8 @@ static void put_corners(const struct frame *frame, struct batch *batch,
 }
 
 /* And the sides that they are beyond. */
-static void put_beyonds(const struct frame *frame, struct batch *batch,
-                        const struct recorded_call *call, const struct face *faces) {
+static void fill_beyonds(const struct frame *frame, struct batch *batch,
+                         const struct recorded_call *call, const struct face *faces) {
     const uint8_t *beyonds = frame->beyonds + call->first_position;
     for (size_t at = 0; at < batch->count; at++) {
         const struct corner *corner = faces[at].corner;
@@ -329,9 +329,9 @@ static void assemble_block(void *context, size_t index, size_t worker) {
     bool reserved = true;
     for (size_t first = part.begin; reserved && first < part.end; first += BATCH_SIZE) {
         batch.count = part.end - first < BATCH_SIZE ? part.end - first : BATCH_SIZE;
-        put_corners(frame, &batch, call, faces + first);
+        fill_corners(frame, &batch, call, faces + first);
         if (call->beyond != 0) {
-            put_beyonds(frame, &batch, call, faces + first);
+            fill_beyonds(frame, &batch, call, faces + first);
         }
         batch_classify(&batch, &call->call, frame->pipeline->skip);
         reserved = add_batch(frame, block, &batch, first);

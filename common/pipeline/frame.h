@@ -113,7 +113,7 @@ struct scratch {
      * shaded, what was fetched for it: the colour of a flat piece, or where its planes are. */
     uint32_t *fetched;
     uint32_t *visible;        /* the numbers of a draw call's visible pieces */
-    char *planes;             /* and their planes: see planes_of() */
+    real *planes;             /* and their planes: see planes_of() */
     struct visibility before; /* where a shader discards: what was visible without its piece */
     size_t piece_capacity, fetched_capacity, visible_capacity, plane_capacity;
 };

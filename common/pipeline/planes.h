@@ -1,5 +1,7 @@
-/* Private to the pipeline: planes, from which varyings are found at any pixel. shade.h includes it,
- * since each shader gets its own. */
+/*
+ * Private to the pipeline: numbers of several things at once, and planes, from which varyings are
+ * found at any pixel. shade.h includes it, since each shader gets its own.
+ */
 #ifndef COMMON_PIPELINE_PLANES_H
 #define COMMON_PIPELINE_PLANES_H
 
@@ -7,86 +9,134 @@
 #error "include pipeline.h instead"
 #endif
 
-/* A number at each pixel (x,y) of the screen: origin + (x - x0) dx + (y - y0) dy; and one of the
- * piece's corners. */
-struct plane {
-    real origin, dx, dy, corner;
-};
+/* ---- What is kept of a visible piece ---- */
 
-/* What is kept of a visible piece: relative to the pixel (x0,y0) that corner 0 is in, the
- * numerators of its varyings, with what each is at corner 0; and behind them the denominator of
- * all, with the least that it is at any corner: rounding may make it less, even 0. */
-struct planes {
-    real x0, y0;
-    struct plane plane[]; /* varying_count + 1 */
-};
+/* From these the varyings of a piece are found at any pixel. Plane i of the first varying_count is
+ * the numerator of varying i: on the screen, relative to pixel (x0,y0). The next one is the
+ * denominator of all. With each plane comes a number of the piece's corners: what the varying is
+ * at corner 0; or the least that the denominator is at any corner: rounding may make it less, even
+ * 0. The planes of TOGETHER pieces are found at once, and stay side by side: a number of one piece
+ * lies TOGETHER behind its last one. */
+enum plane_number { PLANE_ORIGIN, PLANE_DX, PLANE_DY, PLANE_CORNER };
+enum { PLANES_X0, PLANES_Y0, PLANES_FIRST, PLANE_NUMBERS = 4 };
 
-static inline size_t planes_size(const struct shader *shader) {
-    return sizeof(struct planes) + (shader->varying_count + 1) * sizeof(struct plane);
+/* How many numbers a piece has. */
+#define PLANES_SIZE(varying_count) (PLANES_FIRST + PLANE_NUMBERS * ((size_t)(varying_count) + 1))
+
+/* The planes of piece i, behind those of the pieces before it. */
+static inline const real *planes_of(const real *planes, const struct shader *shader, size_t i) {
+    return planes + i / TOGETHER * TOGETHER * PLANES_SIZE(shader->varying_count) + i % TOGETHER;
 }
 
-/* What a corner of a piece hands over. */
-struct corner_values {
-    double recip_w;
-    double varyings[VARYING_LIMIT];
+static inline real plane_at(const real *planes, size_t plane, enum plane_number number) {
+    return planes[(PLANES_FIRST + PLANE_NUMBERS * plane + (size_t)number) * TOGETHER];
+}
+
+/* ---- Finding them, for TOGETHER pieces at once ---- */
+
+/* Their corners: what is at corner c of piece i is at [c][i]. */
+struct corners_together {
+    int32_t x[3][TOGETHER], y[3][TOGETHER]; /* in 1/256 pixel */
+    double recip_w[3][TOGETHER];
+    double varyings[3][VARYING_LIMIT][TOGETHER];
 };
+
+/* A plane on the screen for each of them: its value at some pixel, and its steps to the right and
+ * up. */
+struct planes_together {
+    doubles origin, dx, dy;
+};
+
+LANES_INLINE struct planes_together planes_scale(struct planes_together a, doubles factor) {
+    return (struct planes_together){a.origin * factor, a.dx * factor, a.dy * factor};
+}
+
+LANES_INLINE struct planes_together planes_add(struct planes_together a, struct planes_together b) {
+    return (struct planes_together){a.origin + b.origin, a.dx + b.dx, a.dy + b.dy};
+}
 
 /* The edge function from a to b, corners relative to the centre of the pixel where its first value
- * is: there it is their cross product. Then its steps to the right and up. All are whole numbers
- * that a double holds: see guard_band_of(). */
-LANES_INLINE double4 edge_plane(const double a[2], const double b[2]) {
-    return (double4){a[0] * b[1] - a[1] * b[0], (a[1] - b[1]) * SUBPIXELS,
-                     (b[0] - a[0]) * SUBPIXELS, 0};
+ * is: there it is their cross product. All are whole numbers that a double holds: see
+ * guard_band_of(). */
+LANES_INLINE struct planes_together edge_planes(doubles ax, doubles ay, doubles bx, doubles by) {
+    return (struct planes_together){ax * by - ay * bx, (ay - by) * SUBPIXELS,
+                                    (bx - ax) * SUBPIXELS};
 }
 
-/* The power of two that brings a positive number to 1 or more, below 2. A product with it is
+/* The weights of the corners times the area: edge function i is that of the side opposite corner i.
+ * Relative to the pixel that corner 0 is in, (x0,y0). */
+LANES_INLINE void find_edge_planes(const struct corners_together *of, ints *x0, ints *y0,
+                                   struct planes_together edge[3]) {
+    doubles x[3], y[3];
+    ints at_x, at_y;
+    memcpy(x0, of->x[0], sizeof *x0);
+    memcpy(y0, of->y[0], sizeof *y0);
+    *x0 >>= 8;
+    *y0 >>= 8;
+    for (int c = 0; c < 3; c++) {
+        memcpy(&at_x, of->x[c], sizeof at_x);
+        memcpy(&at_y, of->y[c], sizeof at_y);
+        x[c] = doubles_from_ints(at_x - (*x0 * SUBPIXELS + SUBPIXELS / 2));
+        y[c] = doubles_from_ints(at_y - (*y0 * SUBPIXELS + SUBPIXELS / 2));
+    }
+    for (int c = 0; c < 3; c++) {
+        int a = (c + 1) % 3, b = (c + 2) % 3;
+        edge[c] = edge_planes(x[a], y[a], x[b], y[b]);
+    }
+}
+
+/* The powers of two that bring positive numbers to 1 or more, below 2. A product with one is
  * exact. */
-static inline double unit_of(double number) {
-    uint64_t bits;
-    number = number > 0x1p-1022 ? number : 0x1p-1022;
-    memcpy(&bits, &number, sizeof bits);
-    bits = (UINT64_C(2046) << 52) - (bits & UINT64_C(0x7FF) << 52);
-    memcpy(&number, &bits, sizeof number);
-    return number;
+LANES_INLINE doubles units_of(doubles numbers) {
+    longs exponent = (longs)doubles_max(numbers, doubles_all(0x1p-1022)) & INT64_C(0x7FF) << 52;
+    return (doubles)((INT64_C(2046) << 52) - exponent);
 }
 
-LANES_INLINE void write_plane(struct plane *to, double4 plane, double corner) {
-    typedef real real4 __attribute__((vector_size(4 * sizeof(real))));
-    real4 rounded = __builtin_convertvector(plane, real4);
-    memcpy(to, &rounded, sizeof *to);
-    to->corner = (real)corner;
+/* A number of each piece. */
+LANES_INLINE void write_number(real *to, size_t number, doubles values) {
+    typedef real reals __attribute__((vector_size(TOGETHER * sizeof(real))));
+    reals rounded = __builtin_convertvector(values, reals);
+    memcpy(to + number * TOGETHER, &rounded, sizeof rounded);
+}
+
+/* Plane k of each piece. */
+LANES_INLINE void write_plane(real *to, size_t k, struct planes_together plane, doubles corner) {
+    size_t first = PLANES_FIRST + PLANE_NUMBERS * k;
+    write_number(to, first + PLANE_ORIGIN, plane.origin);
+    write_number(to, first + PLANE_DX, plane.dx);
+    write_number(to, first + PLANE_DY, plane.dy);
+    write_number(to, first + PLANE_CORNER, corner);
 }
 
 /* Perspective: a varying is v0 + (e1 (v1 - v0) / w1 + e2 (v2 - v0) / w2) / (e0 / w0 + e1 / w1 +
- * e2 / w2), where e are the edge functions: e0 is that of the side opposite corner 0. (Blinn,
- * "Hyperbolic Interpolation", IEEE CG&A 12(4), 1992.) */
-KERNEL void find_planes(const struct fixed2 corner[3], const struct corner_values value[3],
-                        const struct shader *shader, struct planes *to) {
+ * e2 / w2), where e are the edge functions. Both are planes on the screen. (Blinn, "Hyperbolic
+ * Interpolation", IEEE CG&A 12(4), 1992.) Of pieces that are not given, anything is written. */
+KERNEL void find_planes(const struct corners_together *of, const struct shader *shader, real *to) {
     size_t n = shader->varying_count;
-    int x0 = corner[0].x >> 8, y0 = corner[0].y >> 8;
-    double at[3][2], w0 = value[0].recip_w, w1 = value[1].recip_w, w2 = value[2].recip_w;
-    for (int i = 0; i < 3; i++) {
-        at[i][0] = corner[i].x - (x0 * SUBPIXELS + SUBPIXELS / 2);
-        at[i][1] = corner[i].y - (y0 * SUBPIXELS + SUBPIXELS / 2);
+    ints x0, y0;
+    struct planes_together edge[3];
+    doubles recip_w[3];
+    find_edge_planes(of, &x0, &y0, edge);
+    for (int c = 0; c < 3; c++) {
+        recip_w[c] = doubles_load(of->recip_w[c]);
     }
-    double4 e0 = edge_plane(at[1], at[2]), e1 = edge_plane(at[2], at[0]);
-    double4 e2 = edge_plane(at[0], at[1]);
+    doubles scale = 1 / (edge[0].origin + edge[1].origin + edge[2].origin);
     /* 1/w itself may be too small for a float: so as a part of the largest. */
-    double most = w0 > w1 ? w0 : w1, least = w0 < w1 ? w0 : w1;
-    double scale = 1 / (e0[0] + e1[0] + e2[0]), unit = unit_of(most > w2 ? most : w2);
-    least = (least < w2 ? least : w2) * unit;
-    e0 *= w0 * scale * unit;
-    e1 *= w1 * scale * unit;
-    e2 *= w2 * scale * unit;
-    to->x0 = (real)x0;
-    to->y0 = (real)y0;
-    for (size_t k = 0; k < n; k++) {
-        double v0 = value[0].varyings[k];
-        double4 to_1 = e1 * (value[1].varyings[k] - v0), to_2 = e2 * (value[2].varyings[k] - v0);
-        write_plane(&to->plane[k], to_1 + to_2, v0);
+    doubles unit = units_of(doubles_max(doubles_max(recip_w[0], recip_w[1]), recip_w[2]));
+    doubles least = doubles_min(doubles_min(recip_w[0], recip_w[1]), recip_w[2]) * unit;
+    least = doubles_max(least, doubles_all(1e-30)); /* above 0 in a float, too */
+    for (int c = 0; c < 3; c++) {
+        edge[c] = planes_scale(edge[c], recip_w[c] * scale * unit);
     }
-    /* Above 0 in a float, too. */
-    write_plane(&to->plane[n], e0 + e1 + e2, least > 1e-30 ? least : 1e-30);
+    write_number(to, PLANES_X0, doubles_from_ints(x0));
+    write_number(to, PLANES_Y0, doubles_from_ints(y0));
+    for (size_t k = 0; k < n; k++) {
+        doubles v0 = doubles_load(of->varyings[0][k]);
+        struct planes_together to_1 = planes_scale(edge[1], doubles_load(of->varyings[1][k]) - v0);
+        struct planes_together to_2 = planes_scale(edge[2], doubles_load(of->varyings[2][k]) - v0);
+        write_plane(to, k, planes_add(to_1, to_2), v0);
+    }
+    write_plane(to, n, planes_add(planes_add(edge[0], edge[1]), edge[2]), least);
 }
 
 #endif

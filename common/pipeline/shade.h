@@ -29,35 +29,51 @@ enum { IS_LITTLE_ENDIAN = 0 };
 
 /* ---- Fetching: once for each visible piece of a draw call ---- */
 
-/* Ask the corners of a piece that is a whole face. */
-KERNEL void ask_corners(const struct call_band *band, const struct shader *shader,
-                        const struct piece *piece, struct corner_values value[3]) {
-    const struct corner *corner = band->call->call.model->faces[piece->face].corner;
-    const double *recip_w = band->frame->recip_w + band->call->first_position;
-    for (size_t i = 0; i < 3; i++) {
-        size_t asked = piece->face_corner[i];
-        shader->vertex(band->uniforms, piece->face, shader->flat ? 0 : asked, value[i].varyings);
-        value[i].recip_w = recip_w[corner[asked].position];
+/* A corner of a face becomes corner c of number i of those. */
+KERNEL void put_corner(const struct call_band *band, const struct shader *shader, uint32_t face,
+                       size_t corner, struct corners_together *to, size_t c, size_t i) {
+    const struct recorded_call *call = band->call;
+    size_t position = call->call.model->faces[face].corner[corner].position;
+    double varyings[VARYING_LIMIT];
+    shader->vertex(band->uniforms, face, shader->flat ? 0 : corner, varyings);
+    to->recip_w[c][i] = band->frame->recip_w[call->first_position + position];
+    for (size_t k = 0; k < shader->varying_count; k++) {
+        to->varyings[c][k][i] = varyings[k];
     }
 }
 
-/* Those of a part of a clipped face: mixed from those of the face. */
-KERNEL void ask_clipped_corners(const struct call_band *band, const struct shader *shader,
-                                const struct piece *piece, struct corner_values value[3]) {
+/* The same for the corners of a part of a clipped face: mixed from those of the face. */
+KERNEL void put_clipped_corners(const struct call_band *band, const struct shader *shader,
+                                const struct piece *piece, struct corners_together *to, size_t i) {
     struct polygon polygon = pipeline_clip_face(band->call, piece->face);
     const size_t fan[3] = {0, piece->part, piece->part + 1U};
     double whole[3][VARYING_LIMIT];
-    for (size_t i = 0; i < 3; i++) {
-        shader->vertex(band->uniforms, piece->face, shader->flat ? 0 : i, whole[i]);
+    for (size_t c = 0; c < 3; c++) {
+        shader->vertex(band->uniforms, piece->face, shader->flat ? 0 : c, whole[c]);
     }
-    for (size_t i = 0; i < 3; i++) {
-        const struct clip_corner *corner = &polygon.corner[fan[piece->face_corner[i]]];
-        value[i].recip_w = 1 / corner->clip.w;
+    for (size_t c = 0; c < 3; c++) {
+        const struct clip_corner *corner = &polygon.corner[fan[piece->face_corner[c]]];
+        to->recip_w[c][i] = 1 / corner->clip.w;
         for (size_t k = 0; k < shader->varying_count; k++) {
-            value[i].varyings[k] =
-                shader->flat ? whole[i][k]
+            to->varyings[c][k][i] =
+                shader->flat ? whole[c][k]
                              : interpolate(corner->weight, whole[0][k], whole[1][k], whole[2][k]);
         }
+    }
+}
+
+/* The corners of a piece become number i of those. */
+KERNEL void put_corners(const struct call_band *band, const struct shader *shader,
+                        const struct piece *piece, struct corners_together *to, size_t i) {
+    for (size_t c = 0; c < 3; c++) {
+        to->x[c][i] = piece->corner[c].x;
+        to->y[c][i] = piece->corner[c].y;
+        if (piece->part == 0) {
+            put_corner(band, shader, piece->face, piece->face_corner[c], to, c, i);
+        }
+    }
+    if (piece->part != 0) {
+        put_clipped_corners(band, shader, piece, to, i);
     }
 }
 
@@ -96,27 +112,20 @@ KERNEL void expect_pieces(const struct call_band *band, const uint32_t *visible,
     }
 }
 
-/* The planes of the visible piece in that place of the list. */
-KERNEL struct planes *planes_of(const struct call_band *band, const struct shader *shader,
-                                uint32_t place) {
-    return (void *)(band->scratch->planes + place * planes_size(shader));
-}
-
-/* Find the planes of the visible pieces. */
+/* Fetch the planes of the visible pieces. */
 KERNEL void fetch_planes(const struct call_band *band, const struct shader *shader,
                          uint32_t count) {
     const uint32_t *visible = band->scratch->visible;
+    struct corners_together corners = {0};
     for (uint32_t i = 0; i < count; i++) {
         expect_pieces(band, visible + i, count - i);
-        const struct piece *piece = see_piece(band, visible[i]);
-        struct corner_values value[3];
-        if (piece->part == 0) {
-            ask_corners(band, shader, piece, value);
-        } else {
-            ask_clipped_corners(band, shader, piece, value);
-        }
-        find_planes(piece->corner, value, shader, planes_of(band, shader, i));
         band->scratch->fetched[visible[i]] = i;
+        put_corners(band, shader, see_piece(band, visible[i]), &corners, i % TOGETHER);
+        if (i % TOGETHER == TOGETHER - 1 || i == count - 1) {
+            find_planes(&corners, shader,
+                        band->scratch->planes +
+                            i / TOGETHER * TOGETHER * PLANES_SIZE(shader->varying_count));
+        }
     }
 }
 
@@ -181,14 +190,15 @@ struct lanes_planes {
 
 /* From lane `first` on, the planes become those of a piece at pixels x of row y. */
 KERNEL void take_planes(struct lanes_planes *to, int first, const struct shader *shader,
-                        const struct planes *from, lanes x, real y) {
-    lanes right = x - from->x0;
-    real up = y - from->y0;
+                        const real *from, lanes x, real y) {
+    lanes right = x - from[PLANES_X0 * TOGETHER];
+    real up = y - from[PLANES_Y0 * TOGETHER];
     for (size_t k = 0; k <= shader->varying_count; k++) {
-        const struct plane *plane = &from->plane[k];
-        lanes at = right * plane->dx + (plane->origin + up * plane->dy);
+        real row = plane_at(from, k, PLANE_ORIGIN) + up * plane_at(from, k, PLANE_DY);
+        lanes at = right * plane_at(from, k, PLANE_DX) + row;
         to->at[k] = lanes_join(to->at[k], first, at);
-        to->corner[k] = lanes_join(to->corner[k], first, lanes_all(plane->corner));
+        to->corner[k] =
+            lanes_join(to->corner[k], first, lanes_all(plane_at(from, k, PLANE_CORNER)));
     }
 }
 
@@ -271,8 +281,8 @@ KERNEL bool gather_varyings(const struct call_band *band, const struct shader *s
         int first = __builtin_ctz(runs);
         if (has_number(band, number[first])) {
             const uint32_t place = band->scratch->fetched[number[first]];
-            take_planes(&planes, first, shader, planes_of(band, shader, place), lanes_from(x),
-                        (real)y);
+            take_planes(&planes, first, shader, planes_of(band->scratch->planes, shader, place),
+                        lanes_from(x), (real)y);
             found = true;
         }
     }

@@ -125,7 +125,7 @@ typedef int32_t ints __attribute__((vector_size(TOGETHER * sizeof(int32_t))));
 typedef int64_t longs __attribute__((vector_size(TOGETHER * sizeof(int64_t))));
 typedef double doubles __attribute__((vector_size(TOGETHER * sizeof(double))));
 
-/* A number for each corner or edge of a triangle, and a fourth that is of no use; or a plane. */
+/* A number for each corner or edge of a triangle, and a fourth that is of no use. */
 typedef int32_t int4 __attribute__((vector_size(4 * sizeof(int32_t))));
 typedef int64_t long4 __attribute__((vector_size(4 * sizeof(int64_t))));
 typedef double double4 __attribute__((vector_size(4 * sizeof(double))));
@@ -141,6 +141,12 @@ LANES_INLINE doubles doubles_count(void) {
         count[i] = i;
     }
     return count;
+}
+
+LANES_INLINE doubles doubles_load(const double from[TOGETHER]) {
+    doubles values;
+    memcpy(&values, from, sizeof values);
+    return values;
 }
 
 LANES_INLINE doubles doubles_from_ints(ints whole) {

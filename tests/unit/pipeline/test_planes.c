@@ -1,5 +1,7 @@
-/* pipeline/planes.h against plain answers: edge functions in whole numbers, and what the planes are
- * at the corners. */
+/*
+ * pipeline/planes.h against plain answers, one piece at a time: edge functions in whole numbers,
+ * and what the planes are at the corners.
+ */
 #include "oracle/oracle.h"
 #include "pipeline.h"
 #include "unit/unit.h"
@@ -8,116 +10,132 @@ enum { RUNS = 300 };
 
 static struct random random_state = {23};
 
+/* With a plane more than go into one four. */
 static const struct shader shader = {.varying_count = 4};
 
 static int any_int(int least, int most) {
     return (int)floor(random_real(&random_state, least, most + 1.0));
 }
 
-/* What a piece's corners are and hand over. */
-struct corners {
-    struct fixed2 at[3];
-    struct corner_values value[3];
-};
-
 /* Edge i at the centre of a pixel, in 1/256 pixel squared. */
-static int64_t plain_edge(const struct corners *of, int i, int x, int y) {
-    struct fixed2 a = of->at[(i + 1) % 3], b = of->at[(i + 2) % 3];
-    int64_t right = (int64_t)x * SUBPIXELS + SUBPIXELS / 2 - a.x;
-    int64_t up = (int64_t)y * SUBPIXELS + SUBPIXELS / 2 - a.y;
-    return ((int64_t)b.x - a.x) * up - ((int64_t)b.y - a.y) * right;
+static int64_t plain_edge(const struct corners_together *of, size_t piece, int i, int x, int y) {
+    int a = (i + 1) % 3, b = (i + 2) % 3;
+    int64_t ax = of->x[a][piece], ay = of->y[a][piece];
+    int64_t right = (int64_t)x * SUBPIXELS + SUBPIXELS / 2 - ax;
+    int64_t up = (int64_t)y * SUBPIXELS + SUBPIXELS / 2 - ay;
+    return (of->x[b][piece] - ax) * up - (of->y[b][piece] - ay) * right;
 }
 
 /* Corners up to `reach` from the first, in 1/256 pixel, clockwise or not. */
-static struct corners any_corners(int reach) {
-    struct corners corners;
-    int x = any_int(-(1 << 24), 1 << 24), y = any_int(-(1 << 24), 1 << 24);
-    for (int c = 0; c < 3; c++) {
-        corners.at[c].x = x + (c > 0 ? any_int(-reach, reach) : 0);
-        corners.at[c].y = y + (c > 0 ? any_int(-reach, reach) : 0);
-        corners.value[c].recip_w = exp2(random_real(&random_state, -130, 7));
-        for (int k = 0; k < VARYING_LIMIT; k++) {
-            corners.value[c].varyings[k] = random_real(&random_state, -1, 1);
+static struct corners_together any_corners(int reach) {
+    struct corners_together corners;
+    for (int i = 0; i < TOGETHER; i++) {
+        int x = any_int(-(1 << 24), 1 << 24), y = any_int(-(1 << 24), 1 << 24);
+        for (int c = 0; c < 3; c++) {
+            corners.x[c][i] = x + (c > 0 ? any_int(-reach, reach) : 0);
+            corners.y[c][i] = y + (c > 0 ? any_int(-reach, reach) : 0);
+            corners.recip_w[c][i] = exp2(random_real(&random_state, -130, 7));
+            for (int k = 0; k < VARYING_LIMIT; k++) {
+                corners.varyings[c][k][i] = random_real(&random_state, -1, 1);
+            }
         }
     }
     return corners;
 }
 
 static void test_edges(void) {
-    for (int run = 0; run < RUNS * 8; run++) {
-        int reach = run % 2 ? 1 << 25 : 300;
-        int64_t a[2] = {any_int(-reach, reach), any_int(-reach, reach)};
-        int64_t b[2] = {any_int(-reach, reach), any_int(-reach, reach)};
-        int x = any_int(-1000, 1000), y = any_int(-1000, 1000);
-        double4 edge = edge_plane((double[2]){(double)a[0], (double)a[1]},
-                                  (double[2]){(double)b[0], (double)b[1]});
-        int64_t right = x * (int64_t)SUBPIXELS - a[0], up = y * (int64_t)SUBPIXELS - a[1];
-        int64_t expected = (b[0] - a[0]) * up - (b[1] - a[1]) * right;
-        CHECK(edge[0] + edge[1] * x + edge[2] * y == (double)expected && edge[3] == 0);
+    for (int run = 0; run < RUNS; run++) {
+        struct corners_together corners = any_corners(run % 2 ? 1 << 25 : 300);
+        struct planes_together edge[3];
+        ints x0, y0;
+        find_edge_planes(&corners, &x0, &y0, edge);
+        for (size_t i = 0; i < TOGETHER; i++) {
+            int x = any_int(-1000, 1000), y = any_int(-1000, 1000);
+            CHECK(x0[i] == (int)floor(corners.x[0][i] / 256.0));
+            CHECK(y0[i] == (int)floor(corners.y[0][i] / 256.0));
+            for (int e = 0; e < 3; e++) {
+                double value = edge[e].origin[i] + edge[e].dx[i] * x + edge[e].dy[i] * y;
+                CHECK(value == (double)plain_edge(&corners, i, e, x0[i] + x, y0[i] + y));
+            }
+        }
     }
 }
 
 static void test_units(void) {
     static const double numbers[] = {1, 1.5, 2, 0x1.fffffffffffffp-1, 128, 0x1p-900, 3e300};
     for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
-        int exponent;
-        double unit = unit_of(numbers[i]);
-        CHECK(frexp(unit, &exponent) == 0.5);
-        CHECK(numbers[i] * unit >= 1 && numbers[i] * unit < 2);
+        doubles unit = units_of(doubles_all(numbers[i]));
+        for (int lane = 0; lane < TOGETHER; lane++) {
+            int exponent;
+            CHECK(frexp(unit[lane], &exponent) == 0.5);
+            CHECK(numbers[i] * unit[lane] >= 1 && numbers[i] * unit[lane] < 2);
+        }
     }
-    CHECK(unit_of(0x1p-1074) == 0x1p1022);
+    CHECK(units_of(doubles_all(0x1p-1074))[0] == 0x1p1022);
+}
+
+/* A plane on the screen over a piece, and a number of the piece's corners. */
+struct varying_plane {
+    real origin, dx, dy, corner;
+};
+
+static struct varying_plane varying_plane(const real *planes, size_t k) {
+    return (struct varying_plane){plane_at(planes, k, PLANE_ORIGIN), plane_at(planes, k, PLANE_DX),
+                                  plane_at(planes, k, PLANE_DY), plane_at(planes, k, PLANE_CORNER)};
 }
 
 /* A plane at a corner of its piece. */
-static double at_corner(const struct plane *plane, const struct planes *planes, struct fixed2 at) {
-    double right = (at.x - 128) / 256.0 - planes->x0, up = (at.y - 128) / 256.0 - planes->y0;
-    return plane->origin + plane->dx * right + plane->dy * up;
+static double at_corner(struct varying_plane plane, const real *planes,
+                        const struct corners_together *of, size_t piece, int c) {
+    double right = (of->x[c][piece] - 128) / 256.0 - planes[PLANES_X0 * TOGETHER];
+    double up = (of->y[c][piece] - 128) / 256.0 - planes[PLANES_Y0 * TOGETHER];
+    return plane.origin + plane.dx * right + plane.dy * up;
 }
 
 /* Some roundings of a number that is about 1. */
 static const double few_roundings = sizeof(real) == sizeof(float) ? 1e-6 : 1e-14;
 
 /* Planes are rounded, and in slivers far steeper than what they are at corners. */
-static double rounding_of(const struct plane *plane) {
-    double steepest = fabs(plane->dx) > fabs(plane->dy) ? fabs(plane->dx) : fabs(plane->dy);
-    return few_roundings * (fabs(plane->origin) + 2 * 300 / 256.0 * steepest);
+static double rounding_of(struct varying_plane plane) {
+    double steepest = fabs(plane.dx) > fabs(plane.dy) ? fabs(plane.dx) : fabs(plane.dy);
+    return few_roundings * (fabs(plane.origin) + 2 * 300 / 256.0 * steepest);
 }
 
-static void check_piece(const struct corners *of, const struct planes *planes) {
+static void check_piece(const struct corners_together *of, const real *planes, size_t i) {
     size_t n = shader.varying_count;
-    const double w[3] = {of->value[0].recip_w, of->value[1].recip_w, of->value[2].recip_w};
-    double unit = exp2(-floor(log2(fmax(fmax(w[0], w[1]), w[2]))));
-    double least = fmin(fmin(w[0], w[1]), w[2]) * unit;
-    const struct plane *bottom = &planes->plane[n];
-    CHECK(planes->x0 == (real)floor(of->at[0].x / 256.0));
-    CHECK(planes->y0 == (real)floor(of->at[0].y / 256.0));
-    CHECK(bottom->corner == (real)(least > 1e-30 ? least : 1e-30));
+    const double *w[3] = {of->recip_w[0], of->recip_w[1], of->recip_w[2]};
+    double most = fmax(fmax(w[0][i], w[1][i]), w[2][i]);
+    double unit = exp2(-floor(log2(most))), least = fmin(fmin(w[0][i], w[1][i]), w[2][i]) * unit;
+    struct varying_plane bottom = varying_plane(planes, n);
+    CHECK(bottom.corner == (real)(least > 1e-30 ? least : 1e-30));
     for (int c = 0; c < 3; c++) {
-        double below = at_corner(bottom, planes, of->at[c]);
-        CHECK(fabs(below - w[c] * unit) <= rounding_of(bottom) + few_roundings);
+        double below = at_corner(bottom, planes, of, i, c);
+        CHECK(fabs(below - w[c][i] * unit) <= rounding_of(bottom) + few_roundings);
         for (size_t k = 0; k < n; k++) {
-            double change = of->value[c].varyings[k] - of->value[0].varyings[k];
-            const struct plane *top = &planes->plane[k];
-            double above = at_corner(top, planes, of->at[c]);
-            CHECK(top->corner == (real)of->value[0].varyings[k]);
-            CHECK(fabs(above - change * w[c] * unit) <= rounding_of(top) + few_roundings);
+            double change = of->varyings[c][k][i] - of->varyings[0][k][i];
+            struct varying_plane top = varying_plane(planes, k);
+            double above = at_corner(top, planes, of, i, c);
+            CHECK(top.corner == (real)of->varyings[0][k][i]);
+            CHECK(fabs(above - change * w[c][i] * unit) <= rounding_of(top) + few_roundings);
         }
     }
 }
 
 static void test_planes(void) {
-    _Alignas(struct planes) char memory[sizeof(struct planes) + 5 * sizeof(struct plane)];
-    struct planes *planes = (void *)memory;
-    CHECK(sizeof memory == planes_size(&shader));
-    for (int run = 0; run < RUNS * 8; run++) {
-        struct corners corners = any_corners(300);
-        int64_t area = 0;
-        for (int e = 0; e < 3; e++) {
-            area += plain_edge(&corners, e, 0, 0);
-        }
-        find_planes(corners.at, corners.value, &shader, planes);
-        if (area != 0) {
-            check_piece(&corners, planes);
+    for (int run = 0; run < RUNS; run++) {
+        struct corners_together corners = any_corners(300);
+        /* Behind other planes, so that it shows where they begin. */
+        real found[3 * TOGETHER * PLANES_SIZE(VARYING_LIMIT)];
+        size_t first = TOGETHER * (size_t)(run % 3);
+        find_planes(&corners, &shader, found + first * PLANES_SIZE(shader.varying_count));
+        for (size_t i = 0; i < TOGETHER; i++) {
+            int64_t area = 0;
+            for (int e = 0; e < 3; e++) {
+                area += plain_edge(&corners, i, e, 0, 0);
+            }
+            if (area != 0) {
+                check_piece(&corners, planes_of(found, &shader, first + i), i);
+            }
         }
     }
 }
