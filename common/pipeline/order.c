@@ -104,12 +104,11 @@ static bool may_be_outside(const struct draw_call *call) {
 
 /* The nearest first; of equally near ones the first drawn. */
 static int compare_calls(const void *left, const void *right) {
-    const struct recorded_call *a = *(struct recorded_call *const *)left;
-    const struct recorded_call *b = *(struct recorded_call *const *)right;
-    if (a->place.nearest != b->place.nearest) {
-        return a->place.nearest > b->place.nearest ? -1 : 1;
+    const struct call_order *a = left, *b = right;
+    if (a->nearest != b->nearest) {
+        return a->nearest > b->nearest ? -1 : 1;
     }
-    return (a > b) - (a < b);
+    return (a->call > b->call) - (a->call < b->call);
 }
 
 /* List the calls that may cover pixels, and count the others. */
@@ -130,7 +129,7 @@ static void list_calls(struct frame *frame) {
             stats[STAT_CALLS_OUTSIDE]++;
             stats[STAT_FACES_OUTSIDE] += model->face_count;
         } else {
-            frame->order[frame->order_count++] = call;
+            frame->order[frame->order_count++] = (struct call_order){call->place.nearest, call};
         }
     }
 }
