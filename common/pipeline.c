@@ -164,7 +164,7 @@ void pipeline_clear(struct pipeline *pipeline) {
     memset(pipeline->stats, 0, sizeof pipeline->stats);
 }
 
-/* Uniforms lie at multiples of this: each in a line of the cache of its own, and, since malloc()
+/* Uniforms lie at multiples of this: each in its own cache line and, since malloc()
  * aligns for every type, aligned as well as a variable is. */
 enum { UNIFORMS_ALIGNMENT = 64 };
 

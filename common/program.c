@@ -95,7 +95,7 @@ static bool check_camera(const struct scene *scene, struct error *error) {
            error_set(error, "scene %s: the eye and the center are %s", scene->name, fault);
 }
 
-/* How many frames stand side by side on a sheet, and how many rows of them there are. */
+/* How many frames are side by side on a sheet, and how many rows of them there are. */
 static void sheet_layout(size_t frame_count, size_t *columns, size_t *rows) {
     *columns = 1;
     while (*columns * *columns < frame_count) {
@@ -609,7 +609,7 @@ static bool answer(void *context, const struct live_request *request, FILE *out,
         return false;
     }
     if (command->options.input != NULL || command->options.live) {
-        return error_set(error, "the model and --live stand on the command line");
+        return error_set(error, "the model and --live belong on the command line");
     }
     command->run.no_skip = command->options.no_skip;
     command->run.stats = command->options.stats;

@@ -552,7 +552,7 @@ static inline void find_repeats(const uint8_t *row, size_t width, const struct r
     }
 }
 
-/* How many zeros stand below the lowest one; there is a one. */
+/* How many zeros are below the lowest one; there is a one. */
 static inline size_t trailing_zeros(uint64_t bits) {
 #if defined(__GNUC__)
     return (size_t)__builtin_ctzll(bits);
@@ -568,7 +568,7 @@ static inline size_t trailing_zeros(uint64_t bits) {
 enum { WINDOW = 56 }; /* bits that eight bytes hold from any of their first eight bits on */
 
 /* How many pixels from x on, at most `limit`, come before one that differs from the next, or else
- * before a run that is worth a packet of its own. A run packet between two raw ones costs two
+ * before a run that is worth its own packet. A run packet between two raw ones costs two
  * heads, so two equal grey pixels are not. */
 static inline size_t pixels_before(const uint8_t *bits, size_t x, size_t limit, const bool differs,
                                    const size_t size) {

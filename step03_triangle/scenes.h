@@ -285,7 +285,7 @@ static void place_in_fan(int i, const struct image *image, struct fixed2 corner[
 
 /* What is known of a pixel of a mesh. */
 struct counted {
-    uint8_t draws;  /* how many triangles have drawn it; 255 stands for more, too */
+    uint8_t draws;  /* how many triangles have drawn it; 255 means more, too */
     uint8_t shade;  /* grey of the last of them */
     uint8_t wanted; /* how many must draw it */
 };

@@ -130,9 +130,9 @@ static inline uint32_t attempt_whole_depth(double depth, uint32_t most) {
 /* Keep a depth as a whole number of that type, up to `most`. */
 #define ATTEMPT_KEEP_WHOLE(name, type, most)                                                       \
     static inline bool name(void *buffer, size_t i, double depth) {                                \
-        type *kept = (type *)buffer + i, level = (type)attempt_whole_depth(depth, most);           \
-        bool nearer = level > *kept;                                                               \
-        *kept = nearer ? level : *kept;                                                            \
+        type level = (type)attempt_whole_depth(depth, most);                                       \
+        bool nearer = level > ((type *)buffer)[i];                                                 \
+        ((type *)buffer)[i] = nearer ? level : ((type *)buffer)[i];                                \
         return nearer;                                                                             \
     }
 

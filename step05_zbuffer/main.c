@@ -12,7 +12,7 @@
 
 /* ---- One row ---- */
 
-/* A line in the plane of the picture. Its viewer stands above the upper edge and looks down the
+/* A line in the plane of the picture. Its viewer is above the upper edge and looks down the
  * page: the larger y, the nearer. */
 struct segment {
     struct vec2 a, b; /* a.x < b.x */

@@ -414,7 +414,7 @@ static bool draw_normal_map(struct drawing *drawing, struct image *image, struct
 }
 
 /* Above: without the faces turned away from the camera; without those turned towards it. Below:
- * with all faces (the same picture as the first, with more work); culled by the light, beside a
+ * with all faces (the same picture as the first, with more work); culled by the light, next to a
  * square that gets next to none. */
 static bool draw_culling(struct drawing *drawing, struct image *image, struct error *error) {
     static const struct cell cells[] = {{&two_sided, CULL_BACK},

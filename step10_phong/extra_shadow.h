@@ -78,7 +78,7 @@ static void shadow_vertex(const void *uniforms, size_t face, size_t corner, doub
     varyings[7] = place.z;
 }
 
-/* The depths that stand in the map at these places. Beyond its border stands what is at it. */
+/* The depths in the map at these places. Beyond its border is what is at it. */
 static lanes map_depth(const struct shadow_uniforms *u, lanes x, lanes y) {
     lanes zero = lanes_all(0), last = lanes_all((real)(u->side - 1));
     lanes_int column = lanes_to_int(lanes_min(lanes_max(x, zero), last));

@@ -28,7 +28,7 @@ static bool load_textures(struct drawing *drawing, struct model *model, struct e
     return drawing->diffuse != NULL && drawing->normal_map != NULL && drawing->specular != NULL;
 }
 
-/* A shader without loops of its own. */
+/* A shader without its own loops. */
 #define PANEL_SHADER(name, function)                                                               \
     static const struct shader name = {                                                            \
         .varying_count = 8, .vertex = vertex_with_normal, .fragment = (function)}

@@ -182,19 +182,19 @@ static const struct option {
     {"--fit", "", "", "move and scale the model into view", FIELD(fit), parse_switch, WITH_MODEL},
     {"--details", "", "", "draw a model also where the course's own is seen from near",
      FIELD(details), parse_switch, WITH_MODEL},
-    {"--texture", "FILE", "a file", "the colours, instead of those beside the model",
+    {"--texture", "FILE", "a file", "the colours, instead of those next to the model",
      FIELD(textures[MODEL_DIFFUSE]), parse_path, WITH_TEXTURE},
-    {"--normal-map", "FILE", "a file", "the normals, likewise", FIELD(textures[MODEL_NORMAL_MAP]),
+    {"--normal-map", "FILE", "a file", "the normals, too", FIELD(textures[MODEL_NORMAL_MAP]),
      parse_path, WITH_NORMAL_MAP},
-    {"--specular", "FILE", "a file", "the shine, likewise", FIELD(textures[MODEL_SPECULAR]),
-     parse_path, WITH_SPECULAR},
-    {"--eye", "X,Y,Z", POINT, "where the camera stands", FIELD(eye), parse_vec3, WITH_CAMERA},
+    {"--specular", "FILE", "a file", "the shine, too", FIELD(textures[MODEL_SPECULAR]), parse_path,
+     WITH_SPECULAR},
+    {"--eye", "X,Y,Z", POINT, "where the camera is", FIELD(eye), parse_vec3, WITH_CAMERA},
     {"--center", "X,Y,Z", POINT, "the point that it looks at", FIELD(center), parse_vec3,
      WITH_CAMERA},
     {"--up", "X,Y,Z", POINT, "the direction that appears upwards", FIELD(up), parse_vec3,
      WITH_CAMERA},
     {"--light", "X,Y,Z", POINT " that are not all 0",
-     "where the light goes, comes from or stands: see the lesson", FIELD(light), parse_light,
+     "where the light goes, comes from or is: see the lesson", FIELD(light), parse_light,
      WITH_LIGHT},
     {"--set", "NAME=N", "NAME=N, a scene's number", "change a number of a scene", 0, parse_set,
      WITH_VALUES},
@@ -217,7 +217,7 @@ static const struct option {
 enum { OPTIONS_KNOWN = sizeof options_known / sizeof options_known[0] };
 
 struct details {
-    char text[768];
+    char text[1024];
 };
 
 /* Append to the details, which are cut where they are too many. */
@@ -229,12 +229,12 @@ static void PRINTF_LIKE(2, 3) add_detail(struct details *details, const char *fo
     va_end(arguments);
 }
 
-/* The numbers of a list, and of which scene. */
+/* The numbers of a list, of which scene, with range and default. */
 static void add_values(struct details *details, const struct scene_value *value,
                        const char *scene) {
     for (; value != NULL && value->name != NULL; value++) {
-        add_detail(details, "%s %s of %s, %g to %g", details->text[0] == '\0' ? ":" : ";",
-                   value->name, scene, value->least, value->most);
+        add_detail(details, "%s %s of %s, %g to %g (%g)", details->text[0] == '\0' ? ":" : ";",
+                   value->name, scene, value->least, value->most, value->value);
     }
 }
 

@@ -284,7 +284,7 @@ static bool note_missing(struct run *run, unsigned needs, struct error *error) {
         free(path);
     }
     if (note != NULL) {
-        error_set(note, "no %s beside it, nor other usual names; %s instead (%s)", names, instead,
+        error_set(note, "no %s next to it, nor other usual names; %s instead (%s)", names, instead,
                   options);
         error_name_input(note, run->model.path);
     }

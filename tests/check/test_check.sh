@@ -239,10 +239,13 @@ END
 
 # A check that is told to end takes its program and its directory with it, at once.
 for signal in INT TERM; do
-    : >"$WITNESS"
-    said_by 124 timeout -k 5 -s $signal 3 env CHECK_TIMEOUT=30 "$build/check" --root tests/check/wrong \
-        --scenes scenes.txt --references "$work/reference" --programs "$work/build" \
-        --make "make BUILD=$work/build" 15
+    for seconds in 3 20; do # where the machine is busy the program begins late
+        : >"$WITNESS"
+        said_by 124 timeout -k 5 -s $signal $seconds env CHECK_TIMEOUT=60 "$build/check" \
+            --root tests/check/wrong --scenes scenes.txt --references "$work/reference" \
+            --programs "$work/build" --make "make BUILD=$work/build" 15
+        [ ! -s "$WITNESS" ] || break
+    done
     silent SCORE
     id=$(head -n 1 "$WITNESS")
     [ -n "$id" ] || wrong "$signal came too early"

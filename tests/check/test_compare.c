@@ -106,6 +106,9 @@ static void test_lightness(void) {
 
 static void test_blank_picture_is_all_wrong(void) {
     struct image a = make(4, 4, IMAGE_BGR), b = make(4, 4, IMAGE_BGR);
+    image_set(&b, 0, 3, color_grey(1));
+    CHECK(!image_is_blank(&b));
+    image_set(&b, 0, 3, color_grey(0));
     CHECK(image_is_blank(&b));
     image_set(&a, 1, 1, color_grey(3)); /* nearly background, and yet a picture */
     CHECK(!image_is_blank(&a));

@@ -109,7 +109,9 @@ static void test_places(void) {
         {{-1, 0, LAST, 0, -1, LAST}, "turned by half a turn"},
         {{0, 1, 0, 1, 0, 0}, "x and y are exchanged"},
         {{0, 1, 0, -1, 0, LAST}, "turned by a quarter to the left"},
+        {{0, -1, LAST, 1, 0, 0}, "turned by a quarter to the right"},
         {{1, 0, -7, 0, 1, -5}, "moved by (7,5)"},
+        {{1, 0, 0, 0, 2, -10}, "1 times as wide and 0.5 times as high"},
         {{2, 0, -10, 0, 2, -10}, "0.5 times as wide and 0.5 times as high"},
     };
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {

@@ -34,7 +34,7 @@ function print_later(line) { printed = printed line "\n" }
     task = $2
     task_line = FNR
     hints = open = 0
-    if (task in seen) wrong(FNR, "task " task " stands here for the second time")
+    if (task in seen) wrong(FNR, "task " task " is here for the second time")
     seen[task] = 1
     next
 }

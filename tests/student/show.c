@@ -28,7 +28,7 @@ enum {
     STATUS_FAILED = 1,
     STATUS_USAGE = 2,
     ARGUMENTS = 9,      /* with the program's name */
-    LEAST_COLUMNS = 30, /* characters of a picture beside others */
+    LEAST_COLUMNS = 30, /* characters of a picture next to others */
     GAP = 2,            /* characters between two pictures */
     KEPT_LINES = 5,     /* of the terminal: title, names, put_hint(), the prompt */
     SIZE_LIMIT = 2000,  /* characters of a line, lines of a terminal */

@@ -101,7 +101,7 @@ refused() {
 
 refused 1 'task 5.1 has 2 hints, not 3' 'task 5.1' 'hint a' 'hint b'
 refused 1 'task 5.1 has 4 hints, not 3' 'task 5.1' 'hint a' 'hint b' 'hint c' 'hint d' 'task 5.2'
-refused 5 'task 5.1 stands here for the second time' 'task 5.1' 'hint a' 'hint b' 'hint c' \
+refused 5 'task 5.1 is here for the second time' 'task 5.1' 'hint a' 'hint b' 'hint c' \
     'task 5.1'
 refused 1 'a hint before' 'hint a'
 refused 1 'neither' 'task 5'

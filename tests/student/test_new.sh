@@ -109,7 +109,7 @@ looks() {
 }
 looks 400x400 'middle > 100'
 cp build/out/mine/turn.png one.png
-# (The knot has no normals of its own. Where the sphere looks towards the light, it is brightest.)
+# (The knot has no normals. Where the sphere looks towards the light, it is brightest.)
 hand_out 0 mine MODEL='build/models/knot.off build/models/sphere.obj'
 looks 800x400 'middle == 0 && largest == 255'
 hand_out 0 mine

@@ -142,7 +142,7 @@ sed 's/first row/row/' marked >marked_later
 printf 'mine, without a last line break' >mine
 printf 'STARTER\r\n' >also_mine
 
-# holds NAME=FILE...: in the lesson's directory stand these files and no others, byte for byte.
+# holds NAME=FILE...: the lesson's directory holds these files and no others, byte for byte.
 holds() {
     for pair in "$@"; do
         cmp "$lesson/${pair%%=*}" "${pair#*=}" || wrong "after $step: not so: $pair"

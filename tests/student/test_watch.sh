@@ -4,7 +4,7 @@
 
 mkdir -p "$work/tests" "$work/step05_zbuffer" && cd "$work" || exit 1
 cp -R "$top/tests/student" tests || exit 1
-# Instead of make: it says what it is told to, and whether main.c builds.
+# Instead of make: it says what it is asked to, and whether main.c builds.
 cat >fake_make <<'END_OF_MAKE'
 #!/bin/sh
 echo "make:$MAKEFLAGS: $*"

@@ -120,8 +120,10 @@ static double bytes_of(void *state, int choice) {
 static void repeat_text(struct bytes *text, struct error *error) {
     size_t size = text->size;
     char *once = malloc(size);
+    if (once != NULL) {
+        memcpy(once, text->data, size);
+    }
     must(once != NULL || error_out_of_memory(error), error);
-    memcpy(once, text->data, size);
     while (text->size < OBJ_BYTES) {
         must(bytes_append(text, once, size) || error_out_of_memory(error), error);
     }

@@ -106,14 +106,18 @@ static void *allocate_array(size_t count, size_t element_size) {
     return array_reserve(NULL, &capacity, count + 1, element_size);
 }
 
-/* An array of `old_count` elements of 2 or 3 numbers, longer by the middles of its edges. */
+/* The `old_count` elements with place behind them for the middles of their edges. */
+static void *longer_array(const void *old, const struct middles *middles, size_t element_size) {
+    void *longer = allocate_array(middles->old_count + middles->edges.count, element_size);
+    if (longer != NULL && middles->old_count > 0) {
+        memcpy(longer, old, middles->old_count * element_size);
+    }
+    return longer;
+}
+
+/* Adds the middles of edges to elements of 2 or 3 numbers. */
 #define ADD_MIDDLES(name, type)                                                                    \
-    static type *name(const type *old, const struct middles *middles, size_t numbers) {            \
-        size_t count = middles->old_count + middles->edges.count;                                  \
-        type *longer = allocate_array(count, numbers * sizeof *longer);                            \
-        if (longer != NULL && middles->old_count > 0) {                                            \
-            memcpy(longer, old, middles->old_count *numbers * sizeof *longer);                     \
-        }                                                                                          \
+    static void name(type longer[], const struct middles *middles, size_t numbers) {               \
         for (size_t i = 0; longer != NULL && i < middles->edges.capacity; i++) {                   \
             const uint64_t key = middles->edges.keys[i];                                           \
             const uint32_t number = middles->edges.numbers[i];                                     \
@@ -124,7 +128,6 @@ static void *allocate_array(size_t count, size_t element_size) {
                     2;                                                                             \
             }                                                                                      \
         }                                                                                          \
-        return longer;                                                                             \
     }
 
 ADD_MIDDLES(add_middles, float)
@@ -147,10 +150,12 @@ static bool add_all_middles(struct model *fine, const struct model *coarse,
     fine->position_count = coarse->position_count + middles[0].edges.count;
     fine->uv_count = coarse->uv_count + middles[1].edges.count;
     fine->normal_count = coarse->normal_count + middles[2].edges.count;
-    fine->positions =
-        (struct vec3 *)add_middle_positions((const double *)coarse->positions, &middles[0], 3);
-    fine->uvs = (float(*)[2])add_middles((const float *)coarse->uvs, &middles[1], 2);
-    fine->normals = (float(*)[3])add_middles((const float *)coarse->normals, &middles[2], 3);
+    fine->positions = longer_array(coarse->positions, &middles[0], sizeof *fine->positions);
+    fine->uvs = longer_array(coarse->uvs, &middles[1], sizeof *fine->uvs);
+    fine->normals = longer_array(coarse->normals, &middles[2], sizeof *fine->normals);
+    add_middle_positions((double *)fine->positions, &middles[0], 3);
+    add_middles((float *)fine->uvs, &middles[1], 2);
+    add_middles((float *)fine->normals, &middles[2], 3);
     if (fine->positions == NULL || fine->uvs == NULL || fine->normals == NULL) {
         error_out_of_memory(error);
         return false;

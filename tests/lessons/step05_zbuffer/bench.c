@@ -214,11 +214,11 @@ enum { FIXED_16, FIXED_24, FIXED_32, FLOAT, REVERSED, DOUBLE, KINDS };
 /* The tests of attempts.h take a depth in -1..1; these take whole steps, 0 being "nothing here". */
 #define KEEP_STEPS(name, type)                                                                     \
     static inline bool name(void *buffer, size_t i, double depth) {                                \
-        type *kept = (type *)buffer + i, step = (type)depth;                                       \
-        if (!(step > *kept)) {                                                                     \
+        type step = (type)depth;                                                                   \
+        if (!(step > ((type *)buffer)[i])) {                                                       \
             return false;                                                                          \
         }                                                                                          \
-        *kept = step;                                                                              \
+        ((type *)buffer)[i] = step;                                                                \
         return true;                                                                               \
     }
 

@@ -1,4 +1,4 @@
-/* Step 6: its samplers are lent to textures.c; here triangles, mip levels and perspective. */
+/* Step 6: its samplers are lent to textures.c; here mip levels and perspective. */
 #define LESSON "../step06_texture/main.c"
 #include "lesson.h"
 
@@ -20,80 +20,6 @@ struct vec4 lesson06_trilinear(const struct texture *texture, struct vec2 uv, do
 }
 
 enum { PIXELS = SCREEN_WIDTH * SCREEN_HEIGHT, SIDE = 8, TEXELS = SIDE * SIDE };
-
-/* ---- Triangles with a texture ---- */
-
-struct texture_case {
-    struct layers layers;
-    struct vec2 uv[LAYER_COUNT][3];
-    double intensity[LAYER_COUNT];
-    uint32_t texels[TEXELS];
-    bool clamp;
-};
-
-static void make_textured(struct random *random, uint64_t index, void *made) {
-    struct texture_case *c = made;
-    make_layers(random, index, &c->layers);
-    for (int i = 0; i < LAYER_COUNT; i++) {
-        for (int k = 0; k < 3; k++) {
-            c->uv[i][k].x = random_real(random, -0.3, 1.3);
-            c->uv[i][k].y = random_real(random, -0.3, 1.3);
-        }
-        c->intensity[i] = random_real(random, 0, 1);
-    }
-    for (int i = 0; i < TEXELS; i++) {
-        c->texels[i] = (uint32_t)random_bits(random);
-    }
-    c->clamp = index % 2 == 0;
-}
-
-static struct layer_work draw_layers(const void *tried, const struct depth_image *on) {
-    const struct texture_case *c = tried;
-    uint32_t texels[TEXELS];
-    memcpy(texels, c->texels, sizeof texels);
-    struct texture texture = texture_from(texels, SIDE, SIDE);
-    texture.clamp = c->clamp;
-    struct canvas canvas = {.image = on->image, .depth = on->depth, .skip = on->skip};
-    for (int i = 0; i < LAYER_COUNT; i++) {
-        struct vertex v[3];
-        for (int k = 0; k < 3; k++) {
-            v[k] = (struct vertex){c->layers.corner[i][k], c->layers.depth[i][k], c->uv[i][k],
-                                   .recip_w = NAN};
-        }
-        triangle(&canvas, v, &texture, c->intensity[i]);
-    }
-    return (struct layer_work){canvas.pixels_tested, canvas.texels_fetched};
-}
-
-static int texel_that_holds(long double coordinate, bool clamp) {
-    long double place = floorl((clamp ? coordinate : coordinate - floorl(coordinate)) * SIDE);
-    return place < 0 ? 0 : place >= SIDE ? SIDE - 1 : (int)place;
-}
-
-/* Is it the colour of the texel that holds the place? Near the border of two texels either is. */
-static bool is_texel(const void *tried, int layer, int picture, int x, int y, struct color color) {
-    const struct texture_case *c = tried;
-    const struct vec2 *uv = c->uv[layer];
-    const double us[3] = {uv[0].x, uv[1].x, uv[2].x}, vs[3] = {uv[0].y, uv[1].y, uv[2].y};
-    long double u = layer_value(&c->layers, layer, us, x, y);
-    long double v = layer_value(&c->layers, layer, vs, x, y);
-    bool right = false;
-    (void)picture;
-    for (int i = 0; i < 4; i++) {
-        int column = texel_that_holds(u + (i % 2 ? 1e-12L : -1e-12L), c->clamp);
-        int row = texel_that_holds(v + (i / 2 ? 1e-12L : -1e-12L), c->clamp);
-        struct color texel = color_from_texel(c->texels[row * SIDE + column]);
-        struct real3 exact = {texel.r, texel.g, texel.b};
-        right = right || color_is_right(color, real3_scale(exact, c->intensity[layer]));
-    }
-    return right;
-}
-
-static bool textured_is_right(const void *tried) {
-    const struct texture_case *c = tried;
-    const struct layered layered = {&c->layers, c, 1, draw_layers, is_texel};
-    return layers_are_right(&layered);
-}
 
 /* ---- Mip levels ---- */
 
@@ -270,15 +196,11 @@ static bool perspective_is_right(const void *tried) {
     return right;
 }
 
-static const struct case_kind textured_cases = {.size = sizeof(struct texture_case),
-                                                .make = make_textured};
 static const struct case_kind mip_cases = {.size = sizeof(struct mip_case), .make = make_mip};
 static const struct case_kind perspective_cases = {.size = sizeof(struct perspective_case),
                                                    .make = make_perspective};
 
 const struct property lesson06_properties[] = {
-    PROPERTY("lesson06: texture, nearest triangle", AGAINST_LONG_DOUBLE, 100000, textured_cases,
-             .holds = textured_is_right),
     PROPERTY("lesson06: mip level", AGAINST_LONG_DOUBLE, 300000, mip_cases, .holds = mip_is_right),
     PROPERTY("lesson06: perspective", AGAINST_LONG_DOUBLE, 100000, perspective_cases,
              .holds = perspective_is_right),

@@ -1,11 +1,9 @@
-/* Step 7: light at the corners, and what is interpolated between them. */
+/* Step 7: light at the corners. */
 #define LESSON "../step07_gouraud/main.c"
 #include "lesson.h"
 
 #include "upkeep/stress/lessons.h"
 #include "upkeep/stress/stress.h"
-
-/* ---- Light at a corner ---- */
 
 struct corner_case {
     struct vec3 position, normal, light, camera;
@@ -58,94 +56,11 @@ static double parts_error(const void *tried) {
     return (double)(first + second + third) * 0x1p52;
 }
 
-/* ---- Between the corners ---- */
-
-/* What is interpolated: an intensity, a colour, or the two parts of the light. */
-enum kind { GREY, COLORED, LIT, KINDS };
-
-typedef void draw_smooth(struct canvas *canvas, const struct edges *edges,
-                         const struct vertex v[3]);
-
-static draw_smooth *const smooth[KINDS] = {triangle, color_triangle, lit_triangle};
-
-struct smooth_case {
-    struct layers layers;
-    double value[LAYER_COUNT][3][3]; /* of a corner: up to three numbers */
-    uint64_t kind;
-};
-
-static void make_smooth(struct random *random, uint64_t index, void *made) {
-    struct smooth_case *c = made;
-    make_layers(random, index, &c->layers);
-    c->kind = random_bits(random) % KINDS;
-    for (int i = 0; i < LAYER_COUNT * 9; i++) { /* also what no corner should have */
-        bool beyond = random_bits(random) % 8 == 0;
-        c->value[i / 9][i / 3 % 3][i % 3] =
-            beyond ? random_real(random, -2, 2) : random_real(random, 0, 1);
-    }
-}
-
-static struct layer_work draw_layers(const void *tried, const struct depth_image *on) {
-    const struct smooth_case *c = tried;
-    struct canvas canvas = {.image = on->image,
-                            .width = SCREEN_WIDTH,
-                            .height = SCREEN_HEIGHT,
-                            .depth = on->depth,
-                            .material = &clay,
-                            .skip = on->skip};
-    for (int i = 0; i < LAYER_COUNT; i++) {
-        const struct fixed2 *p = c->layers.corner[i];
-        struct vertex v[3];
-        struct edges edges;
-        for (int k = 0; k < 3; k++) {
-            const double *a = c->value[i][k];
-            v[k] = (struct vertex){
-                p[k], c->layers.depth[i][k], a[0], {a[0], a[1], a[2]}, {a[0], a[1]}};
-        }
-        if (edges_setup(&edges, p[0], p[1], p[2], SCREEN_WIDTH, SCREEN_HEIGHT)) {
-            smooth[c->kind](&canvas, &edges, v);
-        }
-    }
-    return (struct layer_work){canvas.pixels_tested, canvas.pixels_shaded};
-}
-
-/* Ambient above left, diffuse above right, specular below left, all below right. */
-static struct real3 exact_light(int picture, long double diffuse, long double specular) {
-    static const bool shown[4][3] = {{0, 0, 1}, {1, 1, 1}, {1, 0, 0}, {0, 1, 0}};
-    long double surface = shown[picture][0] ? clay.ambient : 0;
-    surface += shown[picture][1] ? diffuse : 0;
-    return real3_add(real3_scale(real3_from(clay.surface_color), surface),
-                     real3_from(clay.light_color), shown[picture][2] ? specular : 0);
-}
-
-static bool is_smooth(const void *tried, int layer, int picture, int x, int y, struct color color) {
-    const struct smooth_case *c = tried;
-    long double a[3];
-    for (int i = 0; i < 3; i++) {
-        int which = c->kind == GREY ? 0 : i;
-        const double value[3] = {c->value[layer][0][which], c->value[layer][1][which],
-                                 c->value[layer][2][which]};
-        a[i] = layer_value(&c->layers, layer, value, x, y);
-    }
-    struct real3 plain = {255 * a[0], 255 * a[1], 255 * a[2]};
-    return color_is_right(color, c->kind == LIT ? exact_light(picture, a[0], a[1]) : plain);
-}
-
-static bool smooth_is_right(const void *tried) {
-    const struct smooth_case *c = tried;
-    const struct layered layered = {&c->layers, c, c->kind == LIT ? 2 : 1, draw_layers, is_smooth};
-    return layers_are_right(&layered);
-}
-
 static const struct case_kind corner_cases = {.size = sizeof(struct corner_case),
                                               .make = make_corner};
-static const struct case_kind smooth_cases = {.size = sizeof(struct smooth_case),
-                                              .make = make_smooth};
 
 const struct property lesson07_properties[] = {
     PROPERTY("lesson07: light at a corner", AGAINST_LONG_DOUBLE, 300000, corner_cases,
              .error = parts_error, .limit = 8, .error_unit = "ulp of 1 a factor"),
-    PROPERTY("lesson07: smooth between corners", AGAINST_LONG_DOUBLE, 100000, smooth_cases,
-             .holds = smooth_is_right),
     {.name = NULL},
 };

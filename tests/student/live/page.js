@@ -197,7 +197,7 @@ const colorAt = (frame, x, y) => frame && x >= 0 && y >= 0 && x < frame.width &&
 // The largest difference of a channel.
 const errorAt = (a, b, i) => Math.max(Math.abs(a[i] - b[i]), Math.abs(a[i + 1] - b[i + 1]), Math.abs(a[i + 2] - b[i + 2]));
 
-// From which error on a colour stands, and the colour (magma, of matplotlib).
+// From which error on a colour is used, and the colour (magma, of matplotlib).
 const scale = [[0, 0x00, 0x00, 0x04], [1, 0x3b, 0x0f, 0x70], [5, 0x8c, 0x29, 0x81], [16, 0xde, 0x49, 0x68],
                [64, 0xfe, 0x9f, 0x6d], [128, 0xfc, 0xfd, 0xbf]];
 

@@ -4,13 +4,13 @@
 # COMMAND is the program of a submission, or the compiler with a submission's source. It may write
 # the directory that it runs in and no other; CONTAIN_WRITES names another one. It reads the system,
 # its own file, and of the course common, the lessons' headers, the library and the models: no
-# reference, no solution, no other submission. No network, no terminal, processes of its own, no
+# reference, no solution, no other submission. No network, no terminal, no other's processes, no
 # variables. It ends with the command's status, or 128 and the number of the signal that ended it.
 #
 # CONTAIN_BY says by what: `bwrap` does all of this; `unshare` hides the course's secrets and lets
 # nothing be written, but other files can be read; `nothing` just runs the command.
 # CONTAIN_COURSE and CONTAIN_BUILD are absolute: the course and its build directory; CONTAIN_SECRET
-# are directories, each on a line of its own, that unshare is to hide besides.
+# are directories, each on its own line, that unshare is to hide besides.
 #
 # Started by root, the command runs as nobody, whose processes can be counted; started by anyone
 # else, as the root of a namespace that is nobody outside.

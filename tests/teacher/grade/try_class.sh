@@ -101,7 +101,7 @@ grade >"$work/third" && cmp "$work/class.csv" "$work/out/class.csv" ||
     wrong "another CSV the second time"
 echo "again took $((SECONDS - begun)) s"
 
-# What has changed is graded again, and nothing else; what is no longer there is told.
+# What has changed is graded again, and nothing else; it prints what is gone.
 changed=$(find "$work/class" -maxdepth 1 -name 'other0-*')
 gone=$(find "$work/class" -maxdepth 1 -name 'wrong0-*')
 echo '#error changed' >>"$changed/step01_line/main.c"

@@ -46,7 +46,7 @@ else
     *) fail "neither a directory nor a .zip, .tar or .tar.gz" ;;
     esac
 fi
-# find_directory LESSON: where its main.c is. (macOS packs files of its own, with such names, too.)
+# find_directory LESSON: where its main.c is. (macOS adds files with such names, too.)
 find_directory() {
     (cd "$from" && find . -maxdepth 5 -name __MACOSX -prune -o ! -type d -path "*/$1/main.c" -print) \
         2>/dev/null | sed -n 's|^\(\./.*\)/main\.c$|\1|p' |

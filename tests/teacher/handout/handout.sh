@@ -1,5 +1,5 @@
 #!/bin/sh
-# Writes what a student gets: a course of its own, without a solution.
+# Writes what a student gets: a course without solutions.
 #
 #     handout.sh OUT [LESSONS]        LESSONS is 5 or 1-5; all of them without it
 #
@@ -55,7 +55,7 @@ for lesson in $lessons; do
     put_lesson "$lesson"
 done
 
-# ---- What they stand on ----
+# ---- What they need ----
 
 # A section ends where the next begins, or with the #endif of its header.
 # shellcheck disable=SC2016

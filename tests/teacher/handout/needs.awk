@@ -4,7 +4,7 @@
 #   awk -f needs.awk FILE... = SOURCE...
 #
 # Prints those of the FILEs (.c and .h, with their places in the course) that the SOURCEs need. A
-# source belongs to the header that it includes first, unless it is a program of its own.
+# source belongs to the header that it includes first, unless it is a program.
 
 # The file that `name` means in an #include of `file`; "" where it is none of the FILEs.
 function included(file, name,    beside) {

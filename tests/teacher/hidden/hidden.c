@@ -7,7 +7,7 @@
  * PROGRAMS and SOLUTIONS are directories. Where the command MAKE is not empty, each program is
  * built first, as the check does it, and until the end no check works in PROGRAMS. STEP is a name
  * like step05_zbuffer; its solution is SOLUTIONS/step05_zbuffer/step05_zbuffer. Of a scene that is
- * wrong only the class is told:
+ * wrong only the class is printed:
  *
  *     step05_zbuffer  HIDDEN 11/12
  *       hidden: depth of a model in another size: wrong
@@ -47,7 +47,7 @@ enum {
     LAST_SIZE = 900
 };
 
-/* What is drawn, and what the program is told besides. */
+/* What is drawn, and the program's other options. */
 struct hidden_case {
     const char *says;
     enum input_kind kind;
@@ -84,7 +84,7 @@ struct hidden {
     struct bytes wrong; /* of the present step: a line each */
 };
 
-/* ---- What the program is told ---- */
+/* ---- The program's options ---- */
 
 struct told {
     char text[UNSEEN_OPTION_LIMIT][OPTION_TEXT];
@@ -146,7 +146,7 @@ static void tell_all(struct told *told, const struct hidden_case *hidden_case, u
 
 /* ---- Building ---- */
 
-/* What is judged is what stands in main.c now, whatever was built of it before. One that does not
+/* What is judged is main.c as it is now, whatever was built of it before. One that does not
  * build is gone, and draws nothing. */
 static bool build_yours(const struct hidden *hidden, const char *step, struct error *error) {
     struct build_result result = {.reason = {""}};

@@ -4,7 +4,7 @@
 #   take.sh SUBMISSION COURSE
 #
 # SUBMISSION has step05_zbuffer/main.c, or, when COURSE has one lesson only, main.c alone. Links are
-# not followed. What is missing is told, one line each; the starter then stands for it.
+# not followed. It prints a line for each one that is missing; the starter replaces it.
 #
 # Exit status: 0 done; 1 something cannot be copied.
 submission=$1

@@ -26,8 +26,8 @@ head=$(head -n 1 "$work/answer" | wc -c)
 # Each line is answered, also a wrong one, and a text scene between two marks.
 printf '%s\n' '--only nothing' '--live' 'model.obj' '--only pixel text' 'line 1 2 3 x 1 1 1' end '' | answers step01_line
 has 1 "error --only wants a scene: pixel, line, octants, ties, far, list, gradient, not 'nothing'"
-has 2 'error the model and --live stand on the command line'
-has 3 'error the model and --live stand on the command line'
+has 2 'error the model and --live belong on the command line'
+has 3 'error the model and --live belong on the command line'
 has 4 "error coordinate 'x' is not a whole number"
 printf '%s\n' 'text' 'size 3 2' 'line 0 0 2 0 9 8 7' end | answers step01_line
 [ "$(tail -c 24 "$work/answer" | od -An -tu1 | tr -s ' \n' ' ')" = \
@@ -44,7 +44,7 @@ printf '%s\n' '--only zbuffer --set faces=0 --stats' '--set faces=2' '--set corn
 head -n 1 "$work/all" | grep -qF '"values":[{"name":"faces","help":"share of the faces that are drawn","least":0,"most":1,' ||
     wrong "no values in the description"
 sed -n 4p "$work/answer" | grep -qx 'pixels_written 0' || wrong "faces are drawn"
-[ "$(grep -ac "^error --set wants NAME=N, a scene's number: faces of zbuffer, 0 to 1, not" "$work/answer")" -eq 2 ] ||
+[ "$(grep -ac "^error --set wants NAME=N, a scene's number: faces of zbuffer, 0 to 1 (1), not" "$work/answer")" -eq 2 ] ||
     [ "$(tail -n 2 "$work/answer" | grep -ac 'error --set wants')" -eq 2 ] || wrong "numbers out of range are taken"
 
 # A text scene's numbers, the text that one begins with, and what is said about a pixel.

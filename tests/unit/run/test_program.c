@@ -556,7 +556,7 @@ static bool draw_materials(struct drawing *drawing, struct image *image, struct 
 
 enum { ALL_TEXTURES = NEEDS_DIFFUSE | NEEDS_NORMAL_MAP | NEEDS_SPECULAR };
 
-#define MISSING  " beside it, nor other usual names; "
+#define MISSING  " next to it, nor other usual names; "
 #define WHITE    "white instead (--texture)\n"
 #define NORMALS  "the mesh's normals instead (--normal-map)\n"
 #define SHINE    "the same shine everywhere instead (--specular)\n"

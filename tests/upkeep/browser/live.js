@@ -149,6 +149,9 @@ const colorOf = (page, x, y) => page.evaluate(([x, y]) => colorAt(shown, x, show
 
 /* What the program says of a pixel. */
 async function notes(page, x, y) {
+    await settled(page);
+    await page.evaluate(() => { shown.notes = []; }); /* those of another pixel */
+    await page.mouse.move(...await placeOf(page, x + 1, y));
     await page.mouse.move(...await placeOf(page, x, y));
     await page.waitForFunction(() => shown.notes.length > 0 && !asking && !again);
     await settled(page);

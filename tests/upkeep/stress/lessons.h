@@ -63,49 +63,6 @@ struct vec3 random_direction(struct random *random);
 /* A vector of any length, from 2^-reach to 2^reach; now and then zero. */
 struct vec3 random_vector(struct random *random, int reach);
 
-/* ---- Triangles over one another on a small screen ---- */
-
-enum { LAYER_COUNT = 4 };
-
-struct layers {
-    struct fixed2 corner[LAYER_COUNT][3];
-    double depth[LAYER_COUNT][3];
-};
-
-/* Hostile triangles in depths that are often close or equal; some are copies of earlier ones. */
-void make_layers(struct random *random, uint64_t index, struct layers *layers);
-
-/* The value at a pixel of what is linear on the screen, from those at the corners of a layer. */
-long double layer_value(const struct layers *layers, int layer, const double value[3], int x,
-                        int y);
-
-/* Pixels that were tested, and colours that were computed for them. */
-struct layer_work {
-    uint64_t tested, computed;
-};
-
-/* What layers are drawn on. */
-struct depth_image {
-    struct image *image;
-    double *depth; /* one a pixel of one picture */
-    bool skip;     /* compute no colour for what is hidden */
-};
-
-/* How a lesson draws the layers of a case. */
-struct layered {
-    const struct layers *layers;
-    const void *tried;
-    int side; /* so many pictures next to and above one another show the same layers */
-    struct layer_work (*draw)(const void *tried, const struct depth_image *on);
-    /* Does the layer have this colour at this pixel, in a picture (from 0, below left)? */
-    bool (*has_color)(const void *tried, int layer, int picture, int x, int y, struct color color);
-};
-
-/* Does each pixel show a layer that may be seen there: which covers it, in front of which none is
- * by more than rounding can hide, and which is no copy of an earlier one? With its colour and its
- * depth; the same with and without skipping; and all must stay when the layers are drawn again. */
-bool layers_are_right(const struct layered *layered);
-
 /* ---- A model of one face ---- */
 
 struct one_face {

@@ -10,8 +10,8 @@
 /* Soups of one kind and of another, in turn. */
 #define MAKE_SOUPS(name, kind, other)                                                              \
     static void name(struct random *random, uint64_t index, void *made) {                          \
-        *(struct soup_case *)made =                                                                \
-            (struct soup_case){random_bits(random), index % 2 ? (kind) : (other)};                 \
+        const enum soup_kind kinds[2] = {kind, other};                                             \
+        *(struct soup_case *)made = (struct soup_case){random_bits(random), kinds[index % 2]};     \
     }
 
 MAKE_SOUPS(make_whole, SOUP_WHOLE, SOUP_WHOLE)
