@@ -99,16 +99,7 @@ LANES_INLINE lanes_mask lanes_all_set(void) {
     return lower < higher;
 }
 
-/* The mask that is set for lane `first` and those behind it. */
-LANES_INLINE lanes_mask lanes_not_before(int first) {
-    lanes_int place = {0};
-    for (int i = 0; i < LANES; i++) {
-        place[i] = i;
-    }
-    return __builtin_convertvector(place >= first, lanes_mask);
-}
-
-/* first, first + 1, first + 2, ...: as integers, and below as numbers. */
+/* first, first + 1, first + 2, ...: as integers, and as numbers. */
 LANES_INLINE lanes_int lanes_int_from(int first) {
     lanes_int from = {0};
     for (int i = 0; i < LANES; i++) {
@@ -118,11 +109,12 @@ LANES_INLINE lanes_int lanes_int_from(int first) {
 }
 
 LANES_INLINE lanes lanes_from(int first) {
-    lanes from = {0};
-    for (int i = 0; i < LANES; i++) {
-        from[i] = (real)i;
-    }
-    return from + (real)first;
+    return lanes_from_int(lanes_int_from(first));
+}
+
+/* The mask that is set for lane `first` and those behind it. */
+LANES_INLINE lanes_mask lanes_not_before(int first) {
+    return __builtin_convertvector(lanes_int_from(0) >= first, lanes_mask);
 }
 
 /* maxps and minps where x86 has them for LANES floats, which gcc 12 and clang 14 do not find by

@@ -15,7 +15,6 @@ bool pipeline_create(struct pipeline *pipeline, size_t width, size_t height, str
     if (frame == NULL) {
         return error_out_of_memory(error);
     }
-    frame->shortcuts = SHORTCUTS;
     pipeline->width = width;
     pipeline->height = height;
     pipeline->skip = true;
@@ -44,6 +43,7 @@ static void free_all_scratch(struct frame *frame) {
         free(frame->scratch[i].fetched);
         free(frame->scratch[i].visible);
         free(frame->scratch[i].planes);
+        visibility_free(&frame->scratch[i].before);
     }
     frame->scratch_count = 0;
 }
@@ -65,8 +65,6 @@ static void frame_free(struct frame *frame) {
     free(frame->uniforms);
     free(frame->order);
     free(frame->positions);
-    free(frame->screens);
-    free(frame->depths);
     free(frame->recip_w);
     free(frame->beyonds);
     free(frame->blocks);
@@ -121,7 +119,9 @@ static bool scratch_reserve(struct scratch *scratch, const struct frame *frame) 
            array_extend(&scratch->visible, &scratch->visible_capacity, count,
                         sizeof *scratch->visible) &&
            array_extend(&scratch->planes, &scratch->plane_capacity, visible,
-                        PLANES_SIZE(VARYING_LIMIT) * sizeof *scratch->planes);
+                        PLANES_SIZE(VARYING_LIMIT) * sizeof *scratch->planes) &&
+           (!frame->discards || scratch->before.depth != NULL ||
+            visibility_create(&scratch->before, frame));
 }
 
 /* ---- Draw calls ---- */
@@ -132,7 +132,7 @@ void pipeline_use_threads(struct pipeline *pipeline, size_t thread_count) {
         free_all_scratch(frame);
         workers_free(frame->workers);
         frame->workers = NULL;
-        frame->alone = false;
+        frame->has_workers = false;
         frame->thread_count = thread_count;
     }
 }
@@ -223,8 +223,9 @@ static bool begin_frame(struct frame *frame, struct pipeline *p, struct image *i
     frame->position_count = frame->block_count = frame->sorted_count = 0;
     frame->kept = false;
     frame->exhausted = false;
-    if (bands > 1) {
-        pipeline_start_workers(frame);
+    if (!frame->has_workers) {
+        frame->workers = workers_create(frame->thread_count);
+        frame->has_workers = true;
     }
     if (!reserve_depth(p) ||
         !array_extend(&frame->last_touched, &frame->touched_capacity, bands * chunk_columns(frame),
@@ -268,11 +269,8 @@ static bool draw_rounds(struct frame *frame, struct error *error) {
         if (!pipeline_assemble_round(frame, error) || !reserve_bands(frame, error)) {
             return false;
         }
-        if (!frame->reordered) {
-            pipeline_reorder(frame);
-        }
         if (frame->kept) {
-            pipeline_run(frame, band_count(frame), pipeline_cover_band);
+            workers_run(frame->workers, band_count(frame), pipeline_cover_band, frame);
             frame->round.begin = frame->round.end;
         }
     } while (frame->round.end < frame->order_count);
@@ -288,7 +286,7 @@ bool pipeline_finish(struct pipeline *p, struct image *image, struct error *erro
         free_all_visibility(frame); /* of some bands, perhaps, there is something in it */
         return false;
     }
-    pipeline_run(frame, band_count(frame), pipeline_draw_band);
+    workers_run(frame->workers, band_count(frame), pipeline_draw_band, frame);
     frame->last_image = p->clearing == CLEAR_LAST_FRAME ? *image : (struct image){0};
     for (size_t i = 0; i < band_count(frame); i++) {
         pipeline_add_stats(frame, frame->band_stats[i]);

@@ -114,7 +114,7 @@ struct shader {
 #define SHADER(name, ...)                                                                          \
     static FLATTEN void name##_shade(const struct call_band *band) {                               \
         const struct shader constant = {__VA_ARGS__};                                              \
-        shade_call(band, &constant, constant.discards);                                            \
+        shade_visible(band, &constant);                                                            \
     }                                                                                              \
     static const struct shader name = {__VA_ARGS__, .shade = name##_shade}
 

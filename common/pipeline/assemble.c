@@ -99,38 +99,40 @@ LANES_INLINE struct clip_positions transform(const struct draw_call *call, size_
     };
 }
 
-static void keep(const struct frame *frame, size_t at, const struct screen_positions *p,
-                 longs beyond) {
-    typedef uint8_t bytes __attribute__((vector_size(TOGETHER)));
-    bytes narrow = __builtin_convertvector(beyond, bytes);
-    memcpy(frame->depths + at, &p->depth, sizeof p->depth);
-    memcpy(frame->recip_w + at, &p->recip_w, sizeof p->recip_w);
-    for (size_t i = 0; i < TOGETHER; i++) {
-        frame->screens[at + i] = (struct fixed2){p->x[i], p->y[i]};
-    }
-    memcpy(frame->beyonds + at, &narrow, sizeof narrow);
+/* What a block has of that many positions, or faces, of its call. */
+static struct index_range part_of(const struct block *block, size_t count) {
+    size_t end = block->begin + BLOCK_SIZE < count ? block->begin + BLOCK_SIZE : count;
+    return (struct index_range){block->begin < end ? block->begin : end, end};
 }
 
-static void transform_part(void *context, size_t index, size_t worker) {
+static void transform_block(void *context, size_t index, size_t worker) {
     (void)worker;
-    /* Copies: the compiler need not fear that what is written changes them. */
-    const struct frame frame = *(const struct frame *)context;
-    const struct call_part part = frame.positions[index];
-    const struct draw_call call = part.call->call;
-    const size_t first = part.call->first_position;
-    const double guard_band = part.call->guard_band;
+    struct frame *frame = context;
+    const struct block *block = &frame->blocks[frame->round_block + index];
+    struct recorded_call *recorded = block->call;
+    const struct draw_call call =
+        recorded->call; /* a copy, which nothing that is written changes */
+    const struct index_range part = part_of(block, call.model->position_count);
+    const double guard_band = recorded->guard_band;
+    struct screen_position *to = frame->positions + recorded->first_position;
+    double *recip_w = frame->recip_w + recorded->first_position;
+    uint8_t *beyonds = frame->beyonds + recorded->first_position;
     longs any = {0};
-    for (size_t i = part.range.begin; i < part.range.end; i += TOGETHER) {
-        struct clip_positions clip = transform(&call, i);
+    for (size_t at = part.begin; at < part.end; at += TOGETHER) {
+        struct clip_positions clip = transform(&call, at);
         longs beyond = find_beyond(&clip, guard_band);
         longs may_be_placed = (beyond & (BEYOND_NEAR | BEYOND_GUARD_BAND)) == 0;
-        struct screen_positions positions = project(&clip, may_be_placed, &call.viewport);
-        beyond |= may_be_placed & ~positions.placed & BEYOND_ALL;
-        keep(&frame, first + i, &positions, beyond);
+        struct screen_positions found = project(&clip, may_be_placed, &call.viewport);
+        beyond |= may_be_placed & ~found.placed & BEYOND_ALL;
         any |= beyond;
+        memcpy(recip_w + at, &found.recip_w, sizeof found.recip_w);
+        for (size_t i = 0; i < TOGETHER; i++) {
+            to[at + i] = (struct screen_position){{found.x[i], found.y[i]}, found.depth[i]};
+            beyonds[at + i] = (uint8_t)beyond[i];
+        }
     }
     for (int i = 0; i < TOGETHER; i++) {
-        atomic_fetch_or_explicit(&part.call->beyond, (unsigned)any[i], memory_order_relaxed);
+        atomic_fetch_or_explicit(&recorded->beyond, (unsigned)any[i], memory_order_relaxed);
     }
 }
 
@@ -169,8 +171,7 @@ static void add_piece(const struct frame *frame, struct block *block, const stru
     }
     piece->face = (uint32_t)face;
     piece->part = (uint8_t)part;
-    piece->dropped = batch->culled[at] != 0;
-    piece->call = (uint32_t)(block->faces.call - frame->calls);
+    piece->call = (uint32_t)(block->call - frame->calls);
     piece->several = bands.last > bands.first;
     atomic_init(&piece->seen, false);
     block->columns = span_around(block->columns, columns);
@@ -187,31 +188,30 @@ static void count_left_out(struct block *block, int32_t kind) {
 /* Triangle `part` of the fan that a clipped polygon is cut into. */
 static void add_part(const struct frame *frame, struct block *block, size_t face,
                      const struct polygon *polygon, size_t part) {
-    const struct draw_call *call = &block->faces.call->call;
-    const size_t corner[3] = {0, part, part + 1};
+    const struct draw_call *call = &block->call->call;
+    const size_t fan[3] = {0, part, part + 1};
     struct batch batch = {.count = 1};
     double depth[3];
     for (int i = 0; i < 3; i++) {
-        struct clip_positions clip = clip_positions_all(polygon->corner[corner[i]].clip);
-        struct screen_positions position = project(&clip, ~(longs){0}, &call->viewport);
-        if (!position.placed[0]) {
+        struct clip_positions clip = clip_positions_all(polygon->corner[fan[i]].clip);
+        struct screen_positions found = project(&clip, ~(longs){0}, &call->viewport);
+        if (!found.placed[0]) {
             return;
         }
-        batch.x[i][0] = position.x[0];
-        batch.y[i][0] = position.y[0];
-        depth[i] = position.depth[0];
+        batch.x[i][0] = found.x[0];
+        batch.y[i][0] = found.y[0];
+        depth[i] = found.depth[0];
     }
     batch_classify(&batch, call, frame->pipeline->skip);
+    count_left_out(block, batch.kind[0]);
     if (batch.kind[0] == TRIANGLE_WHOLE) {
         add_piece(frame, block, &batch, 0, face, part, depth);
-    } else {
-        count_left_out(block, batch.kind[0]);
     }
 }
 
 /* Leaves room for the other faces of its batch. False when memory runs out. */
 static bool add_clipped_face(const struct frame *frame, struct block *block, size_t face) {
-    struct polygon polygon = pipeline_clip_face(block->faces.call, face);
+    struct polygon polygon = pipeline_clip_face(block->call, face);
     if (polygon.count < 3) {
         block->stats[STAT_FACES_OUTSIDE]++;
         return true;
@@ -226,28 +226,29 @@ static bool add_clipped_face(const struct frame *frame, struct block *block, siz
 
 /* ---- Faces ---- */
 
-/* Put the corners of faces into a batch. Where all positions are beyond nothing, `inside` (constant
- * where it is called), that is not asked, and was 0 before. */
-LANES_INLINE void fill_batch(const struct frame *frame, struct batch *batch,
-                             const struct recorded_call *call, struct index_range faces,
-                             bool inside) {
-    const struct fixed2 *screens = frame->screens + call->first_position;
-    const uint8_t *beyonds = frame->beyonds + call->first_position;
-    batch->count = faces.end - faces.begin;
+/* Put the corners of faces into a batch. */
+static void fill_corners(const struct frame *frame, struct batch *batch,
+                         const struct recorded_call *call, const struct face *faces) {
+    const struct screen_position *positions = frame->positions + call->first_position;
     for (size_t at = 0; at < batch->count; at++) {
-        const struct corner *corner = call->call.model->faces[faces.begin + at].corner;
-        int32_t all = BEYOND_ALL, any = 0;
         for (int i = 0; i < 3; i++) {
-            struct fixed2 screen = screens[corner[i].position];
+            struct fixed2 screen = positions[faces[at].corner[i].position].at;
             batch->x[i][at] = screen.x;
             batch->y[i][at] = screen.y;
-            all &= inside ? 0 : beyonds[corner[i].position];
-            any |= inside ? 0 : beyonds[corner[i].position];
         }
-        if (!inside) {
-            batch->beyond_all[at] = all;
-            batch->beyond_any[at] = any;
-        }
+    }
+}
+
+/* And the sides that they are beyond. */
+static void fill_beyonds(const struct frame *frame, struct batch *batch,
+                         const struct recorded_call *call, const struct face *faces) {
+    const uint8_t *beyonds = frame->beyonds + call->first_position;
+    for (size_t at = 0; at < batch->count; at++) {
+        const struct corner *corner = faces[at].corner;
+        uint8_t a = beyonds[corner[0].position], b = beyonds[corner[1].position],
+                c = beyonds[corner[2].position];
+        batch->beyond_all[at] = a & b & c;
+        batch->beyond_any[at] = a | b | c;
     }
 }
 
@@ -270,8 +271,8 @@ static size_t list_drawn(struct block *block, const struct batch *batch,
  * out. */
 static bool add_batch(const struct frame *frame, struct block *block, const struct batch *batch,
                       size_t first_face) {
-    const struct recorded_call *call = block->faces.call;
-    const double *depths = frame->depths + call->first_position;
+    const struct recorded_call *call = block->call;
+    const struct screen_position *positions = frame->positions + call->first_position;
     uint32_t list[BATCH_SIZE];
     size_t count = list_drawn(block, batch, list);
     bool reserved = reserve_pieces(block, count);
@@ -280,9 +281,9 @@ static bool add_batch(const struct frame *frame, struct block *block, const stru
         if (batch->kind[list[i]] == TRIANGLE_CLIPPED) {
             reserved = add_clipped_face(frame, block, face);
         } else {
-            const struct corner *corner = call->call.model->faces[face].corner;
-            const double depth[3] = {depths[corner[0].position], depths[corner[1].position],
-                                     depths[corner[2].position]};
+            const struct corner *c = call->call.model->faces[face].corner;
+            const double depth[3] = {positions[c[0].position].depth, positions[c[1].position].depth,
+                                     positions[c[2].position].depth};
             add_piece(frame, block, batch, list[i], face, 0, depth);
         }
     }
@@ -321,25 +322,21 @@ static void assemble_block(void *context, size_t index, size_t worker) {
     (void)worker;
     struct frame *frame = context;
     struct block *block = &frame->blocks[frame->round_block + index];
-    const struct recorded_call *call = block->faces.call;
-    struct batch batch = {.count = 0};
-    struct index_range faces = block->faces.range;
+    const struct recorded_call *call = block->call;
+    struct batch batch = {.count = 0}; /* beyond nothing */
+    const struct face *faces = call->call.model->faces;
+    struct index_range part = part_of(block, call->call.model->face_count);
     bool reserved = true;
-    while (reserved && faces.begin < faces.end) {
-        size_t end = faces.begin + BATCH_SIZE;
-        struct index_range some = {faces.begin, end < faces.end ? end : faces.end};
-        if (call->beyond == 0) {
-            fill_batch(frame, &batch, call, some, true);
-        } else {
-            fill_batch(frame, &batch, call, some, false);
+    for (size_t first = part.begin; reserved && first < part.end; first += BATCH_SIZE) {
+        batch.count = part.end - first < BATCH_SIZE ? part.end - first : BATCH_SIZE;
+        fill_corners(frame, &batch, call, faces + first);
+        if (call->beyond != 0) {
+            fill_beyonds(frame, &batch, call, faces + first);
         }
         batch_classify(&batch, &call->call, frame->pipeline->skip);
-        reserved = add_batch(frame, block, &batch, some.begin);
-        faces.begin = some.end;
+        reserved = add_batch(frame, block, &batch, first);
     }
-    if (!shades_at_once(frame, call->shader)) {
-        block->stats[STAT_FACES_HIDDEN] += block->piece_count; /* until one is seen */
-    }
+    block->stats[STAT_FACES_HIDDEN] += block->piece_count; /* until one is seen */
     if (!reserved || !sort_block(frame, block)) {
         frame->exhausted = true;
     }
@@ -347,27 +344,8 @@ static void assemble_block(void *context, size_t index, size_t worker) {
 
 /* ---- A round ---- */
 
-/* Add a call's positions, in parts. Rounded up, so that TOGETHER of them can be written at once. */
-static bool add_positions(struct frame *frame, struct recorded_call *call) {
-    size_t count = call->call.model->position_count;
-    call->first_position = frame->position_count;
-    call->guard_band = guard_band_of(&call->call.viewport);
-    call->beyond = 0;
-    frame->position_count += (count + TOGETHER - 1) / TOGETHER * TOGETHER;
-    frame->pipeline->stats[STAT_VERTICES_TRANSFORMED] += count;
-    for (size_t begin = 0, end; begin < count; begin = end) {
-        end = count - begin < BLOCK_SIZE ? count : begin + BLOCK_SIZE;
-        if (!array_extend(&frame->positions, &frame->part_capacity, frame->part_count + 1,
-                          sizeof *frame->positions)) {
-            return false;
-        }
-        frame->positions[frame->part_count++] = (struct call_part){call, {begin, end}};
-    }
-    return true;
-}
-
 /* Make one more block, or use one of the last frame again. */
-static bool add_block(struct frame *frame, struct call_part faces) {
+static bool add_block(struct frame *frame, struct recorded_call *call, size_t begin) {
     if (!array_extend(&frame->blocks, &frame->block_capacity, frame->block_count + 1,
                       sizeof *frame->blocks)) {
         return false;
@@ -377,37 +355,43 @@ static bool add_block(struct frame *frame, struct call_part faces) {
         *block = (struct block){.piece_count = 0};
         frame->blocks_made++;
     }
-    block->faces = faces;
+    block->call = call;
+    block->begin = begin;
     block->piece_count = 0;
     block->columns = block->rows = (struct span){INT_MAX, 0};
     memset(block->stats, 0, sizeof block->stats);
     return true;
 }
 
-static bool add_faces(struct frame *frame, struct recorded_call *call) {
-    size_t count = call->call.model->face_count;
+/* Share out a call's positions and faces. */
+static bool add_blocks(struct frame *frame, struct recorded_call *call) {
+    size_t positions = call->call.model->position_count, faces = call->call.model->face_count;
+    size_t count = positions > faces ? positions : faces;
     bool reserved = true;
+    call->first_position = frame->position_count;
+    call->guard_band = guard_band_of(&call->call.viewport);
+    call->beyond = 0;
     call->first_block = frame->block_count;
-    for (size_t begin = 0, end; reserved && begin < count; begin = end) {
-        end = count - begin < BLOCK_SIZE ? count : begin + BLOCK_SIZE;
-        reserved = add_block(frame, (struct call_part){call, {begin, end}});
+    for (size_t begin = 0; reserved && begin < count; begin += BLOCK_SIZE) {
+        reserved = add_block(frame, call, begin);
     }
     call->block_count = frame->block_count - call->first_block;
+    frame->position_count += (positions + TOGETHER - 1) / TOGETHER * TOGETHER;
+    frame->pipeline->stats[STAT_VERTICES_TRANSFORMED] += positions;
     return reserved;
 }
 
 /* Add the calls of the round that are not hidden, and count those that are. */
 static bool add_calls(struct frame *frame, struct error *error) {
     uint64_t *stats = frame->pipeline->stats;
-    frame->part_count = 0;
     frame->round_block = frame->block_count;
     for (size_t i = frame->round.begin; i < frame->round.end; i++) {
-        struct recorded_call *call = &frame->calls[frame->order[i].call];
+        struct recorded_call *call = frame->order[i].call;
         if (is_hidden(frame, &call->place)) {
             stats[STAT_CALLS_HIDDEN]++;
             stats[STAT_FACES_HIDDEN] += call->call.model->face_count;
             stats[STAT_FACES_BEHIND] += call->call.model->face_count;
-        } else if (!add_positions(frame, call) || !add_faces(frame, call)) {
+        } else if (!add_blocks(frame, call)) {
             return error_out_of_memory(error);
         }
     }
@@ -415,17 +399,14 @@ static bool add_calls(struct frame *frame, struct error *error) {
 }
 
 static bool reserve_round(struct frame *frame, struct error *error) {
-    size_t positions = frame->position_count;
-    return (array_extend(&frame->screens, &frame->screen_capacity, positions,
-                         sizeof *frame->screens) &&
-            array_extend(&frame->depths, &frame->depth_capacity, positions,
-                         sizeof *frame->depths) &&
-            array_extend(&frame->recip_w, &frame->recip_w_capacity, positions,
+    size_t starts = frame->block_count * (band_count(frame) + 1);
+    return (array_extend(&frame->positions, &frame->position_capacity, frame->position_count,
+                         sizeof *frame->positions) &&
+            array_extend(&frame->recip_w, &frame->recip_w_capacity, frame->position_count,
                          sizeof *frame->recip_w) &&
-            array_extend(&frame->beyonds, &frame->beyond_capacity, positions,
+            array_extend(&frame->beyonds, &frame->beyond_capacity, frame->position_count,
                          sizeof *frame->beyonds) &&
-            array_extend(&frame->band_starts, &frame->start_capacity,
-                         frame->block_count * (band_count(frame) + 1),
+            array_extend(&frame->band_starts, &frame->start_capacity, starts,
                          sizeof *frame->band_starts)) ||
            error_out_of_memory(error);
 }
@@ -434,8 +415,8 @@ static bool reserve_round(struct frame *frame, struct error *error) {
 static bool add_up_blocks(struct frame *frame, struct error *error) {
     for (size_t i = frame->round_block; i < frame->block_count; i++) {
         const struct block *block = &frame->blocks[i];
-        struct screen_place *place = &block->faces.call->place;
-        if (i == block->faces.call->first_block) {
+        struct screen_place *place = &block->call->place;
+        if (i == block->call->first_block) {
             place->columns = place->rows = (struct span){INT_MAX, 0};
         }
         place->columns = span_around(place->columns, block->columns);
@@ -451,7 +432,8 @@ bool pipeline_assemble_round(struct frame *frame, struct error *error) {
     if (!add_calls(frame, error) || !reserve_round(frame, error)) {
         return false;
     }
-    pipeline_run(frame, frame->part_count, transform_part);
-    pipeline_run(frame, frame->block_count - frame->round_block, assemble_block);
+    size_t count = frame->block_count - frame->round_block;
+    workers_run(frame->workers, count, transform_block, frame);
+    workers_run(frame->workers, count, assemble_block, frame);
     return frame->exhausted ? error_out_of_memory(error) : add_up_blocks(frame, error);
 }

@@ -138,10 +138,9 @@ LANES_INLINE void classify(struct batch *batch, size_t at, const struct draw_cal
         c[i] = (struct corners){lanes_int_load(&batch->x[i][at]), lanes_int_load(&batch->y[i][at])};
     }
     lanes_int winding = find_windings(c), clockwise = winding < 0, no_area = winding == 0;
-    lanes_int culled = find_culled(clockwise, call->cull), none = {0};
     lanes_int kind =
         find_kinds(lanes_int_load(&batch->beyond_all[at]), lanes_int_load(&batch->beyond_any[at]),
-                   skip ? culled & ~no_area : none);
+                   find_culled(clockwise, call->cull) & ~no_area);
     store(&batch->kind[at], kind);
     if (lanes_bits(kind >= TRIANGLE_CLIPPED) == 0) {
         return; /* often: neighbours in a model face the same way */
@@ -154,7 +153,6 @@ LANES_INLINE void classify(struct batch *batch, size_t at, const struct draw_cal
     missed &= kind == TRIANGLE_WHOLE;
     store(&batch->kind[at], lanes_int_select(missed, lanes_int_all(TRIANGLE_WITHOUT_PIXEL), kind));
     lanes_int first = find_lowest(c), second = first + 1 - clockwise;
-    store(&batch->culled[at], culled);
     store(&batch->first[at], first);
     store(&batch->second[at], lanes_int_select(second > 2, second - 3, second));
     store(&batch->left[at], box.left);

@@ -6,20 +6,15 @@ enum { HIGH_BOX = 8 };
 
 /* ---- Edges at the pixels of a box ---- */
 
-/* A number for each corner or edge of a triangle, and a fourth that is of no use. */
-typedef double three __attribute__((vector_size(4 * sizeof(double))));
-typedef int32_t three_ints __attribute__((vector_size(4 * sizeof(int32_t))));
-typedef int64_t three_longs __attribute__((vector_size(4 * sizeof(int64_t))));
-
-LANES_INLINE three three_select(three_longs mask, three a, three b) {
-    return (three)((mask & (three_longs)a) + (~mask & (three_longs)b));
+LANES_INLINE double4 double4_select(long4 mask, double4 a, double4 b) {
+    return (double4)((mask & (long4)a) + (~mask & (long4)b));
 }
 
-LANES_INLINE three to_three(three_ints whole) {
+LANES_INLINE double4 to_double4(int4 whole) {
 #if LANES >= 8 && defined(__AVX2__) /* gcc 12 converts one half after the other */
-    return (three)_mm256_cvtepi32_pd((__m128i)whole);
+    return (double4)_mm256_cvtepi32_pd((__m128i)whole);
 #else
-    return __builtin_convertvector(whole, three);
+    return __builtin_convertvector(whole, double4);
 #endif
 }
 
@@ -27,27 +22,39 @@ LANES_INLINE three to_three(three_ints whole) {
  * steps, and the least that is inside: 0, or 1 where 0 is not. All are whole numbers that a double
  * holds: see guard_band_of(). */
 struct box_edges {
-    three origin, dx, dy, least;
+    double4 origin, dx, dy, least;
 };
 
 /* Edge i lies opposite corner i; pixel (0,0) of the box is (left,bottom) of the image. */
 static struct box_edges find_box_edges(const struct fixed2 c[3], int left, int bottom) {
-    three_ints ax = {c[1].x, c[2].x, c[0].x}, ay = {c[1].y, c[2].y, c[0].y};
-    three_ints bx = {c[2].x, c[0].x, c[1].x}, by = {c[2].y, c[0].y, c[1].y};
-    three x_distance = to_three(bx - ax), y_distance = to_three(by - ay);
-    three a_right = to_three(ax - (left * SUBPIXELS + SUBPIXELS / 2));
-    three a_up = to_three(ay - (bottom * SUBPIXELS + SUBPIXELS / 2));
-    three_longs top_left = (y_distance < 0) | ((y_distance == 0) & (x_distance < 0));
-    three zero = {0};
+    int4 ax = {c[1].x, c[2].x, c[0].x}, ay = {c[1].y, c[2].y, c[0].y};
+    int4 bx = {c[2].x, c[0].x, c[1].x}, by = {c[2].y, c[0].y, c[1].y};
+    double4 x_distance = to_double4(bx - ax), y_distance = to_double4(by - ay);
+    double4 a_right = to_double4(ax - (left * SUBPIXELS + SUBPIXELS / 2));
+    double4 a_up = to_double4(ay - (bottom * SUBPIXELS + SUBPIXELS / 2));
+    long4 top_left = (y_distance < 0) | ((y_distance == 0) & (x_distance < 0));
+    double4 zero = {0};
     return (struct box_edges){
         .origin = y_distance * a_right - x_distance * a_up,
         .dx = y_distance * -SUBPIXELS,
         .dy = x_distance * SUBPIXELS,
-        .least = three_select(top_left, zero, zero + 1),
+        .least = double4_select(top_left, zero, zero + 1),
     };
 }
 
-/* depth_at() for several pixels. */
+/* The depth of a piece at a pixel is z0 + e1 k1 + e2 k2, with its exact edge functions e. (Not a
+ * neighbour's depth and the step to this one: in a sliver these are far larger than the depth, and
+ * so are their roundings.) */
+struct depth_slopes {
+    double origin, k1, k2; /* z0, (z1 - z0) / area, (z2 - z0) / area */
+};
+
+static struct depth_slopes find_depth_slopes(const struct piece *piece, double area) {
+    double scale = 1 / area;
+    const double *z = piece->depth;
+    return (struct depth_slopes){z[0], (z[1] - z[0]) * scale, (z[2] - z[0]) * scale};
+}
+
 LANES_INLINE doubles depths_at(const struct depth_slopes *s, doubles e1, doubles e2) {
     return s->origin + e1 * s->k1 + e2 * s->k2;
 }
@@ -66,7 +73,7 @@ LANES_INLINE struct strip_rows rows_of_strips(const struct box_edges *e, int row
     const doubles all = doubles_all(row_count), x = doubles_count() * TOGETHER;
     const doubles none = doubles_all(0);
     doubles begin = none, end = all;
-    three per_value = -1 / e->dy;
+    double4 per_value = -1 / e->dy;
     for (int i = 0; i < 3; i++) {
         double to_greatest = e->dx[i] > 0 ? e->dx[i] * (TOGETHER - 1) : 0;
         doubles greatest = e->origin[i] - e->least[i] + to_greatest + e->dx[i] * x;
@@ -84,7 +91,7 @@ LANES_INLINE struct strip_rows rows_of_strips(const struct box_edges *e, int row
 
 /* ---- Cover: which piece is nearest at each pixel ---- */
 
-/* What is done besides; constant where a function is called with it. */
+/* What is done besides. */
 struct cover_how {
     bool reordered; /* the nearest calls are covered first */
     bool counts;    /* depth tests */
@@ -148,7 +155,7 @@ static void touch(const struct call_band *band, int x, struct span rows) {
 /* Some rows of a strip, the TOGETHER columns from x on. */
 LANES_INLINE void cover_strip(const struct call_band *band, const struct box *box, int x,
                               struct span rows, struct cover_how how) {
-    three first = box->edges.origin + box->edges.dy * (rows.begin - box->rows.begin);
+    double4 first = box->edges.origin + box->edges.dy * (rows.begin - box->rows.begin);
     doubles e0 = first[0] + box->right[0], e1 = first[1] + box->right[1];
     doubles e2 = first[2] + box->right[2];
     if (box->cut) {
@@ -202,21 +209,6 @@ LANES_INLINE void cover_strips(const struct call_band *band, struct box *box, in
     }
 }
 
-/* All pixels of a piece's box, several tested at once: strip by strip, each from its lowest row on.
- * (Row by row, a processor would often be wrong about where the row ends.) */
-LANES_INLINE void cover_box(const struct call_band *band, struct box *box, struct cover_how how) {
-    int left = box->columns.begin / TOGETHER * TOGETHER;
-    struct box_edges e = find_box_edges(box->piece->corner, left, box->rows.begin);
-    box->edges = e;
-    box->slopes = find_depth_slopes(box->piece, e.origin[0] + e.origin[1] + e.origin[2]);
-    for (int i = 0; i < 3; i++) {
-        box->right[i] = e.dx[i] * doubles_count();
-        box->up[i] = doubles_all(e.dy[i]);
-        box->least[i] = doubles_all(e.least[i]);
-    }
-    cover_strips(band, box, left, how);
-}
-
 /* ---- What is behind ---- */
 
 /* The rows of the band, counted from its lowest one, in which something is. */
@@ -252,7 +244,7 @@ static double find_farthest(const struct call_band *band, int chunk, int tile) {
 
 /* After a call, where it has changed something. */
 static void update_farthest(const struct call_band *band) {
-    struct span columns = band->changed_columns, rows = rows_in_band(band, band->changed_rows);
+    struct span columns = band->columns, rows = rows_in_band(band, band->changed_rows);
     for (int x = columns.begin / CHUNK; x * CHUNK < columns.end; x++) {
         double *farthest = band->visibility->farthest + x * BAND_TILES;
         for (int tile = rows.begin / TILE_HEIGHT; tile * TILE_HEIGHT < rows.end; tile++) {
@@ -263,6 +255,8 @@ static void update_farthest(const struct call_band *band) {
 
 /* ---- The pieces of a call ---- */
 
+/* All pixels of a piece's box, several tested at once: strip by strip, each from its lowest row on.
+ * (Row by row, a processor would often be wrong about where the row ends.) */
 LANES_INLINE void cover_piece(struct call_band *band, uint32_t number, struct cover_how how) {
     const struct piece *piece = band->scratch->pieces[number - 1];
     const struct fixed2 *c = piece->corner;
@@ -280,10 +274,18 @@ LANES_INLINE void cover_piece(struct call_band *band, uint32_t number, struct co
             band->stats[STAT_FACES_BEHIND]++;
             return;
         }
-        band->changed_columns = span_around(band->changed_columns, box.columns);
+        band->columns = span_around(band->columns, box.columns);
         band->changed_rows = span_around(band->changed_rows, box.rows);
     }
-    cover_box(band, &box, how);
+    int left = box.columns.begin / TOGETHER * TOGETHER;
+    struct box_edges e = box.edges = find_box_edges(c, left, box.rows.begin);
+    box.slopes = find_depth_slopes(piece, e.origin[0] + e.origin[1] + e.origin[2]);
+    for (int i = 0; i < 3; i++) {
+        box.right[i] = e.dx[i] * doubles_count();
+        box.up[i] = doubles_all(e.dy[i]);
+        box.least[i] = doubles_all(e.least[i]);
+    }
+    cover_strips(band, &box, left, how);
 }
 
 LANES_INLINE void cover_pieces(struct call_band *band, struct cover_how how) {
@@ -296,27 +298,46 @@ LANES_INLINE void cover_pieces(struct call_band *band, struct cover_how how) {
     }
 }
 
-static void call_shader(const struct call_band *band) {
+/* Shade what is visible of the pieces that have numbers. */
+static void shade(const struct call_band *band) {
     const struct shader *shader = band->call->shader;
-    bool at_once = shades_at_once(band->frame, shader);
-    if (shader->shade != NULL && at_once == shader->discards) {
+    if (shader->shade != NULL) {
         shader->shade(band);
     } else {
-        shade_call(band, shader, at_once);
+        shade_visible(band, shader);
     }
 }
 
+/* Cover and shade each piece before the next one is covered. */
+static void draw_pieces(struct call_band *band) {
+    const struct span numbers = band->numbers;
+    const struct visibility *now = band->visibility, *before = &band->scratch->before;
+    for (int i = numbers.begin; i < numbers.end; i++) {
+        const struct fixed2 *c = band->scratch->pieces[i]->corner;
+        band->numbers = (struct span){i, i + 1};
+        band->columns = span_overlap(box_centers(c[0].x, c[1].x, c[2].x),
+                                     columns_of(&band->call->call.viewport));
+        if (band->call->shader->discards) {
+            size_t place = place_in_band(0, band->columns.begin / CHUNK * CHUNK);
+            size_t count =
+                place_in_band(0, (band->columns.end + CHUNK - 1) / CHUNK * CHUNK) - place;
+            memcpy(before->depth + place, now->depth + place, count * sizeof *now->depth);
+            memcpy(before->number + place, now->number + place, count * sizeof *now->number);
+        }
+        cover_piece(band, (uint32_t)i + 1, (struct cover_how){false, true});
+        band->scratch->fetched[i + 1] = 1;
+        shade(band);
+    }
+    band->numbers = numbers;
+}
+
 static void cover_call(struct call_band *band) {
-    bool counts = band->frame->pipeline->counts_tests;
+    const struct cover_how how = {band->frame->reordered, band->frame->pipeline->counts_tests};
     if (shades_at_once(band->frame, band->call->shader)) {
-        call_shader(band);
-    } else if (band->frame->reordered && counts) {
-        cover_pieces(band, (struct cover_how){true, true});
-    } else if (band->frame->reordered) {
-        cover_pieces(band, (struct cover_how){true, false});
-    } else if (counts) {
-        cover_pieces(band, (struct cover_how){false, true});
-    } else {
+        draw_pieces(band);
+    } else if (how.reordered || how.counts) {
+        cover_pieces(band, how);
+    } else { /* the same without asking for each pixel */
         cover_pieces(band, (struct cover_how){false, false});
     }
 }
@@ -404,7 +425,7 @@ static void clear_image(const struct call_band *band, const uint32_t *last_touch
  * False where it has none in the band. */
 static bool next_call(struct call_band *band, size_t place) {
     const struct frame *frame = band->frame;
-    const struct recorded_call *call = &frame->calls[frame->order[place].call];
+    const struct recorded_call *call = frame->order[place].call;
     size_t bands = band_count(frame), index = (size_t)band->rows.begin / BAND_HEIGHT;
     struct piece **next = band->scratch->pieces + band->numbers.end;
     for (size_t i = call->first_block; i < call->first_block + call->block_count; i++) {
@@ -437,7 +458,7 @@ static void cover_calls(struct call_band *band) {
             band->stats[STAT_FACES_BEHIND] += (uint64_t)(band->numbers.end - band->numbers.begin);
             continue;
         }
-        band->changed_columns = band->changed_rows = (struct span){INT_MAX, 0};
+        band->columns = band->changed_rows = (struct span){INT_MAX, 0};
         cover_call(band);
         if (band->frame->reordered) {
             update_farthest(band);
@@ -450,7 +471,8 @@ static void shade_calls(struct call_band *band) {
     band->numbers.end = 0;
     for (size_t i = 0; i < band->frame->order_count; i++) {
         if (next_call(band, i) && !shades_at_once(band->frame, band->call->shader)) {
-            call_shader(band);
+            band->columns = band->call->place.columns;
+            shade(band);
         }
     }
 }

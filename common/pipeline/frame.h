@@ -34,14 +34,6 @@ _Static_assert(BAND_HEIGHT <= 32, "`touched` has a bit for each row");
 enum { CHUNK = 16, TILE_HEIGHT = 8, BAND_TILES = BAND_HEIGHT / TILE_HEIGHT };
 _Static_assert(BAND_HEIGHT % TILE_HEIGHT == 0, "no tile lies in two bands");
 
-/* What `skip` switches on and off, so that each can be measured alone. */
-enum shortcut {
-    SHORTCUT_OUTSIDE = 1, /* calls beyond a side of the view are not transformed */
-    SHORTCUT_VISIBLE = 2, /* what is visible is found before anything is shaded */
-    SHORTCUT_BEHIND = 4,  /* the nearest calls are covered first; what is behind them, not at all */
-    SHORTCUTS = 7
-};
-
 /* ---- Draw calls and pieces ---- */
 
 /* Elements of an array: begin inclusive, end exclusive. */
@@ -62,7 +54,7 @@ struct recorded_call {
     size_t uniforms;                 /* where they are in the frame's `uniforms` */
     struct screen_place place;       /* first of the box around it, then of its pieces */
     size_t first_block, block_count; /* none while it is not assembled, or hidden as a whole */
-    size_t first_position;           /* in the frame's `screens` */
+    size_t first_position;           /* in the frame's `positions` */
     double guard_band;               /* where its faces are clipped: see guard_band_of() */
     atomic_uint beyond;              /* the sides that any of its positions is beyond */
 };
@@ -70,33 +62,34 @@ struct recorded_call {
 /* A call's place in the order of covering. */
 struct call_order {
     double nearest;
-    size_t call;
+    struct recorded_call *call;
+};
+
+/* A position on the screen. */
+struct screen_position {
+    struct fixed2 at;
+    double depth; /* z/w, linear on the screen */
 };
 
 /* A triangle on the screen: a face of the model, or a part that clipping left of one. One cache
  * line. */
 struct piece {
     struct fixed2 corner[3]; /* counterclockwise; the lowest first, of those the leftmost */
-    double depth[3];         /* z/w at the corners, linear on the screen */
+    double depth[3];
     uint32_t face, call;
     uint8_t face_corner[3]; /* which corner of the face, or of the part, each corner is */
     uint8_t part;           /* 0: a whole face; n: triangle n of the fan of a clipped one */
-    bool dropped;           /* covers pixels but must not be drawn (culled, with skip off) */
     bool several;           /* it reaches several bands */
     atomic_bool seen;       /* one of these has shown a pixel of it */
 };
 
-/* Positions and faces are shared out among threads in blocks of at most this many of one call. */
+/* The positions and the faces of a call are shared out among threads in blocks of this many. */
 enum { BLOCK_SIZE = 1024 };
 
-struct call_part {
-    struct recorded_call *call;
-    struct index_range range;
-};
-
-/* The faces that one thread assembles, and the pieces that they became. */
+/* Those of one block, and the pieces that its faces became. */
 struct block {
-    struct call_part faces;
+    struct recorded_call *call;
+    size_t begin; /* its first position, and its first face */
     struct piece *pieces;
     struct band_span {
         uint16_t first, last;
@@ -125,8 +118,9 @@ struct scratch {
     /* By number: 0 while nothing of the piece is visible, otherwise 1; and once its draw call is
      * shaded, what was fetched for it: the colour of a flat piece, or where its planes are. */
     uint32_t *fetched;
-    uint32_t *visible; /* the numbers of a draw call's visible pieces */
-    real *planes;      /* and their planes: see planes_of() */
+    uint32_t *visible;        /* the numbers of a draw call's visible pieces */
+    real *planes;             /* and their planes: see planes_of() */
+    struct visibility before; /* where a shader discards: what was visible without its piece */
     size_t piece_capacity, fetched_capacity, visible_capacity, plane_capacity;
 };
 
@@ -139,8 +133,8 @@ struct call_band {
     uint64_t *stats;
     const struct recorded_call *call;
     const void *uniforms;
-    struct span numbers;                       /* of the call's pieces: begin + 1 to end */
-    struct span changed_columns, changed_rows; /* where its pieces were covered */
+    struct span numbers;               /* of the call's pieces: begin + 1 to end */
+    struct span columns, changed_rows; /* where they are shaded, or were covered */
 };
 
 /* ---- A frame ---- */
@@ -148,10 +142,9 @@ struct call_band {
 struct frame {
     struct pipeline *pipeline;
     struct image *image;
-    unsigned shortcuts;      /* of enum shortcut: those taken while `skip` is on; at first all */
     size_t thread_count;     /* for workers_create() */
-    struct workers *workers; /* NULL until they are needed, and where there are none */
-    bool alone;              /* there are none */
+    struct workers *workers; /* NULL also where there are none */
+    bool has_workers;        /* they have been asked for */
     /* Recorded: */
     struct recorded_call *calls;
     size_t call_count, call_capacity;
@@ -164,14 +157,11 @@ struct frame {
     bool reordered;           /* the nearest first */
     struct index_range round; /* of the order, what comes in this round */
     bool kept;                /* there are several: each band has its own visibility */
-    /* Transformed: places on the screen, depths and 1/w of positions (0 where one has no place),
-     * and the sides of the view that they are beyond; and what is to be transformed in a round. */
-    struct fixed2 *screens;
-    double *depths, *recip_w;
+    /* Transformed: positions, and the sides of the view that they are beyond. */
+    struct screen_position *positions;
+    double *recip_w; /* 1/w; 0 where they have no place */
     uint8_t *beyonds;
-    struct call_part *positions;
-    size_t position_count, screen_capacity, depth_capacity, recip_w_capacity, beyond_capacity;
-    size_t part_count, part_capacity;
+    size_t position_count, position_capacity, recip_w_capacity, beyond_capacity;
     /* Assembled: */
     struct block *blocks;
     uint32_t *band_starts; /* of each block, in `sorted`: one for each band, and the end */
@@ -193,13 +183,9 @@ struct frame {
     bool knows_last; /* the image is that one */
 };
 
-static inline bool takes_shortcut(const struct frame *frame, enum shortcut shortcut) {
-    return frame->pipeline->skip && (frame->shortcuts & (unsigned)shortcut) != 0;
-}
-
 /* Are the pixels of a shader shaded while they are covered? */
 static inline bool shades_at_once(const struct frame *frame, const struct shader *shader) {
-    return shader->discards || !takes_shortcut(frame, SHORTCUT_VISIBLE);
+    return shader->discards || !frame->pipeline->skip;
 }
 
 static inline size_t band_count(const struct frame *frame) {
@@ -322,34 +308,17 @@ struct batch {
     int32_t beyond_all[BATCH_SIZE], beyond_any[BATCH_SIZE];
     /* Found by batch_classify(); all but the first only of what is whole: */
     int32_t kind[BATCH_SIZE]; /* of enum triangle_kind */
-    int32_t culled[BATCH_SIZE];
     /* The lowest corner, of those the leftmost; and the next, counterclockwise. */
     int32_t first[BATCH_SIZE], second[BATCH_SIZE];
     /* The pixel centres of its box in the viewport, inclusive. */
     int32_t left[BATCH_SIZE], right[BATCH_SIZE], bottom[BATCH_SIZE], top[BATCH_SIZE];
 };
 
-/* Classify the triangles. With `skip` off none is turned away, and those that miss the centres in
- * their box are not looked for. */
+/* Classify the triangles. With `skip` off those that miss the centres in their box are not looked
+ * for. */
 void batch_classify(struct batch *batch, const struct draw_call *call, bool skip);
 
 /* ---- The stages ---- */
-
-/* Start the threads, unless that was done before. */
-static inline void pipeline_start_workers(struct frame *frame) {
-    if (frame->workers == NULL && !frame->alone) {
-        frame->workers = workers_create(frame->thread_count);
-        frame->alone = frame->workers == NULL;
-    }
-}
-
-/* Share out a loop of more than one part among the threads. */
-static inline void pipeline_run(struct frame *frame, size_t count, worker_function *work) {
-    if (count > 1) {
-        pipeline_start_workers(frame);
-    }
-    workers_run(frame->workers, count, work, frame);
-}
 
 static inline void pipeline_add_stats(struct frame *frame, const uint64_t stats[PIPELINE_STATS]) {
     for (int i = 0; i < PIPELINE_STATS; i++) {
@@ -359,10 +328,6 @@ static inline void pipeline_add_stats(struct frame *frame, const uint64_t stats[
 
 /* Find the calls that may cover pixels, and the order in which they are covered. */
 bool pipeline_order(struct frame *frame, struct error *error);
-
-/* The nearest first, where calls overlap: of many decided by their boxes; of few once they are
- * assembled, since what they cover is less. */
-void pipeline_reorder(struct frame *frame);
 
 /* Go on to the next round; from all zero, to the first. */
 void pipeline_next_round(struct frame *frame);

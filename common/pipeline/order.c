@@ -28,14 +28,16 @@ static struct box find_box(const struct model *model) {
     return (struct box){{least, most}};
 }
 
-/* More than any roundings of a coordinate that a row of the matrix gives for a point of the box:
- * these amount to a few ulp of the sum of its terms. */
-static double roundings(const double row[4], const struct box *box) {
+/* More than any roundings of a clip coordinate of a point in the box: these amount to a few ulp of
+ * the sum of its terms. */
+static double find_slack(const struct mat4 *to_clip, const struct box *box) {
     const struct vec3 *a = &box->side[0], *b = &box->side[1];
-    double sum = fabs(row[3]) + fabs(row[0]) * fmax(fabs(a->x), fabs(b->x)) +
-                 fabs(row[1]) * fmax(fabs(a->y), fabs(b->y)) +
-                 fabs(row[2]) * fmax(fabs(a->z), fabs(b->z));
-    return 2e-14 * sum + DBL_MIN;
+    double farthest = fmax(fmax(fmax(-a->x, b->x), fmax(-a->y, b->y)), fmax(-a->z, b->z)), most = 0;
+    for (int row = 0; row < 4; row++) {
+        const double *m = to_clip->m[row];
+        most += fabs(m[3]) + (fabs(m[0]) + fabs(m[1]) + fabs(m[2])) * fabs(farthest);
+    }
+    return 4e-14 * most + DBL_MIN;
 }
 
 /* The pixels between two places in NDC, and one more on either side, cut to the viewport. */
@@ -59,40 +61,30 @@ static unsigned beyond_sides(struct vec4 p) {
  * x + w (or the like), and a quotient before the near plane, are least and greatest at corners of
  * the box. What is computed may be off by roundings. */
 static struct screen_place find_place(const struct draw_call *call, const struct box *box) {
-    const double(*m)[4] = call->to_clip.m;
-    double off[4], slack, largest = 0, least_w = INFINITY;
+    const struct rectangle *v = &call->viewport;
+    struct screen_place place = {columns_of(v), rows_of(v), INFINITY};
+    double slack = find_slack(&call->to_clip, box), largest = 0, least_w = INFINITY;
     double least[3] = {INFINITY, INFINITY, INFINITY}, most[3] = {-INFINITY, -INFINITY, -INFINITY};
     unsigned beyond = BEYOND_ONE_SIDE;
-    for (int row = 0; row < 4; row++) {
-        off[row] = roundings(m[row], box);
-    }
-    slack = off[0] + off[1] + off[3];
     for (int i = 0; i < 8; i++) {
         struct vec3 corner = {box->side[i & 1].x, box->side[i >> 1 & 1].y, box->side[i >> 2].z};
         struct vec4 p = mat4_point(&call->to_clip, corner);
         const double at[3] = {p.x / p.w, p.y / p.w, p.z / p.w};
         beyond &= beyond_sides((struct vec4){p.x, p.y, p.z, p.w + slack});
-        least_w = fmin(p.w - off[3], least_w);
+        least_w = fmin(p.w - slack, least_w);
         for (int k = 0; k < 3; k++) {
             least[k] = fmin(at[k], least[k]);
             most[k] = fmax(at[k], most[k]);
             largest = fmax(fabs(at[k]), largest);
         }
     }
-    const struct rectangle *v = &call->viewport;
+    double more = slack * (1 + largest) / least_w + 1e-13 * largest;
     if (beyond != 0 && slack < INFINITY) {
-        return (struct screen_place){{v->x, v->x}, {v->y, v->y}, -INFINITY};
-    }
-    struct screen_place place = {columns_of(v), rows_of(v), INFINITY};
-    /* As numbers of pixels that an int holds: */
-    if (slack < INFINITY && least_w >= NEAR_W && largest <= 1e9) {
-        double more[3];
-        for (int k = 0; k < 3; k++) {
-            more[k] = (off[k] + largest * off[3]) / least_w + 1e-13 * largest;
-        }
-        place.columns = find_pixels(least[0] - more[0], most[0] + more[0], v->x, v->width);
-        place.rows = find_pixels(least[1] - more[1], most[1] + more[1], v->y, v->height);
-        place.nearest = most[2] + more[2];
+        place = (struct screen_place){{v->x, v->x}, {v->y, v->y}, -INFINITY};
+    } else if (slack < INFINITY && least_w >= NEAR_W && largest <= 1e9) {
+        place.columns = find_pixels(least[0] - more, most[0] + more, v->x, v->width);
+        place.rows = find_pixels(least[1] - more, most[1] + more, v->y, v->height);
+        place.nearest = most[2] + more;
     }
     return place;
 }
@@ -109,25 +101,6 @@ static bool may_be_outside(const struct draw_call *call) {
 }
 
 /* ---- Their order ---- */
-
-static uint64_t area_of(struct span columns, struct span rows) {
-    return (uint64_t)(columns.end - columns.begin) * (uint64_t)(rows.end - rows.begin);
-}
-
-/* Do the calls overlap on the screen, for all that their areas tell? Pictures side by side do
- * not. */
-static bool calls_overlap(const struct frame *frame) {
-    struct span columns = {INT_MAX, 0}, rows = columns;
-    uint64_t sum = 0;
-    for (size_t i = 0; i < frame->order_count; i++) {
-        const struct screen_place *place = &frame->calls[frame->order[i].call].place;
-        uint64_t area = area_of(place->columns, place->rows);
-        columns = area > 0 ? span_around(columns, place->columns) : columns;
-        rows = area > 0 ? span_around(rows, place->rows) : rows;
-        sum += area;
-    }
-    return sum > 0 && sum > area_of(columns, rows);
-}
 
 /* The nearest first; of equally near ones the first drawn. */
 static int compare_calls(const void *left, const void *right) {
@@ -152,22 +125,12 @@ static void list_calls(struct frame *frame) {
             of = model;
             call->place = find_place(&call->call, &box);
         }
-        if (place_is_empty(&call->place) && takes_shortcut(frame, SHORTCUT_OUTSIDE)) {
+        if (place_is_empty(&call->place) && frame->pipeline->skip) {
             stats[STAT_CALLS_OUTSIDE]++;
             stats[STAT_FACES_OUTSIDE] += model->face_count;
         } else {
-            frame->order[frame->order_count++] = (struct call_order){call->place.nearest, i};
+            frame->order[frame->order_count++] = (struct call_order){call->place.nearest, call};
         }
-    }
-}
-
-void pipeline_reorder(struct frame *frame) {
-    /* A shader that discards needs the order of drawing. */
-    frame->reordered = takes_shortcut(frame, SHORTCUT_VISIBLE) &&
-                       takes_shortcut(frame, SHORTCUT_BEHIND) && !frame->discards &&
-                       frame->order_count > 1 && calls_overlap(frame);
-    if (frame->reordered) {
-        qsort(frame->order, frame->order_count, sizeof *frame->order, compare_calls);
     }
 }
 
@@ -177,9 +140,10 @@ bool pipeline_order(struct frame *frame, struct error *error) {
         return error_out_of_memory(error);
     }
     list_calls(frame);
-    frame->reordered = false;
-    if (frame->order_count >= MANY) {
-        pipeline_reorder(frame);
+    /* A shader that discards needs the order of drawing. */
+    frame->reordered = frame->pipeline->skip && !frame->discards && frame->order_count > 1;
+    if (frame->reordered) {
+        qsort(frame->order, frame->order_count, sizeof *frame->order, compare_calls);
     }
     return true;
 }
@@ -188,7 +152,7 @@ void pipeline_next_round(struct frame *frame) {
     struct index_range *round = &frame->round;
     round->begin = round->end;
     round->end = round->begin == 0 ? FIRST_ROUND : 2 * round->begin;
-    if (!frame->reordered || round->end > frame->order_count) {
+    if (!frame->reordered || frame->order_count < MANY || round->end > frame->order_count) {
         round->end = frame->order_count;
     }
 }

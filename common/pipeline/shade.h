@@ -77,48 +77,12 @@ KERNEL void put_corners(const struct call_band *band, const struct shader *shade
     }
 }
 
-/* The planes of one piece, number 0 of those. */
-KERNEL void fetch_planes(const struct call_band *band, const struct shader *shader,
-                         const struct piece *piece, real *planes) {
-    struct corners_together corners = {0};
-    put_corners(band, shader, piece, &corners, 0);
-    find_planes(&corners, shader, planes);
-}
-
 /* The piece of a number, seen: some pixel of it is visible, so it is not hidden, for the first band
  * that shows it. */
 static inline const struct piece *see_piece(const struct call_band *band, uint32_t number) {
     struct piece *piece = band->scratch->pieces[number - 1];
     band->stats[STAT_FACES_HIDDEN] -= !piece->several || !atomic_exchange(&piece->seen, true);
     return piece;
-}
-
-/* What a fragment finds in its varyings. */
-KERNEL void prepare_varyings(const struct call_band *band, const struct shader *shader,
-                             lanes *varyings) {
-    if (shader->prepare != NULL) {
-        shader->prepare(band->uniforms, varyings);
-    }
-}
-
-/* LANES flat pieces whose colour is asked for. */
-struct flat_pieces {
-    int count;
-    uint32_t number[LANES];
-    real varyings[VARYING_LIMIT][LANES];
-};
-
-KERNEL void find_flat_colors(const struct call_band *band, const struct shader *shader,
-                             struct flat_pieces *pieces) {
-    lanes varyings[VARYING_LIMIT];
-    lanes_texel colors;
-    memcpy(varyings, pieces->varyings, sizeof varyings);
-    prepare_varyings(band, shader, varyings);
-    shader->fragment(band->uniforms, varyings, &colors);
-    for (int i = 0; i < pieces->count; i++) {
-        band->scratch->fetched[pieces->number[i]] = lanes_texel_at(colors, i);
-    }
-    pieces->count = 0;
 }
 
 /* List the numbers of the visible pieces of the draw call; returns how many they are. Without a
@@ -149,8 +113,8 @@ KERNEL void expect_pieces(const struct call_band *band, const uint32_t *visible,
 }
 
 /* Fetch the planes of the visible pieces. */
-KERNEL void fetch_all_planes(const struct call_band *band, const struct shader *shader,
-                             uint32_t count) {
+KERNEL void fetch_planes(const struct call_band *band, const struct shader *shader,
+                         uint32_t count) {
     const uint32_t *visible = band->scratch->visible;
     struct corners_together corners = {0};
     for (uint32_t i = 0; i < count; i++) {
@@ -165,20 +129,40 @@ KERNEL void fetch_all_planes(const struct call_band *band, const struct shader *
     }
 }
 
-/* And the colours, of a flat shader. */
-KERNEL void fetch_all_colors(const struct call_band *band, const struct shader *shader,
-                             uint32_t count) {
+/* What a fragment finds in its varyings. */
+KERNEL void prepare_varyings(const struct call_band *band, const struct shader *shader,
+                             lanes *varyings) {
+    if (shader->prepare != NULL) {
+        shader->prepare(band->uniforms, varyings);
+    }
+}
+
+/* The shader gives a piece one colour. (One that discards decides for each pixel.) */
+KERNEL bool has_colors(const struct shader *shader) {
+    return shader->flat && !shader->discards;
+}
+
+/* Find the colours of the visible pieces, of LANES at once. */
+KERNEL void fetch_colors(const struct call_band *band, const struct shader *shader,
+                         uint32_t count) {
     const uint32_t *visible = band->scratch->visible;
-    struct flat_pieces flat = {0};
-    for (uint32_t i = 0; i < count; i++) {
-        double varyings[VARYING_LIMIT];
-        shader->vertex(band->uniforms, see_piece(band, visible[i])->face, 0, varyings);
-        for (size_t k = 0; k < shader->varying_count; k++) {
-            flat.varyings[k][flat.count] = (real)varyings[k];
+    for (uint32_t first = 0; first < count; first += LANES) {
+        uint32_t some = count - first < LANES ? count - first : LANES;
+        real values[VARYING_LIMIT][LANES] = {{0}};
+        lanes varyings[VARYING_LIMIT];
+        lanes_texel colors;
+        for (uint32_t i = 0; i < some; i++) {
+            double asked[VARYING_LIMIT];
+            shader->vertex(band->uniforms, see_piece(band, visible[first + i])->face, 0, asked);
+            for (size_t k = 0; k < shader->varying_count; k++) {
+                values[k][i] = (real)asked[k];
+            }
         }
-        flat.number[flat.count++] = visible[i];
-        if (flat.count == LANES || i == count - 1) {
-            find_flat_colors(band, shader, &flat);
+        memcpy(varyings, values, sizeof varyings);
+        prepare_varyings(band, shader, varyings);
+        shader->fragment(band->uniforms, varyings, &colors);
+        for (uint32_t i = 0; i < some; i++) {
+            band->scratch->fetched[visible[first + i]] = lanes_texel_at(colors, (int)i);
         }
     }
 }
@@ -187,10 +171,10 @@ KERNEL void fetch_all_colors(const struct call_band *band, const struct shader *
  * close together in memory there. Returns how many these are. */
 KERNEL uint32_t fetch_visible(const struct call_band *band, const struct shader *shader) {
     uint32_t count = list_visible(band);
-    if (shader->flat) {
-        fetch_all_colors(band, shader, count);
+    if (has_colors(shader)) {
+        fetch_colors(band, shader, count);
     } else {
-        fetch_all_planes(band, shader, count);
+        fetch_planes(band, shader, count);
     }
     band->stats[STAT_ATTRIBUTE_SETS] += count;
     return count;
@@ -232,18 +216,6 @@ KERNEL void divide_planes(const struct lanes_planes *planes, const struct shader
     lanes w = 1 / lanes_max(planes->at[n], planes->corner[n]);
     for (size_t i = 0; i < n; i++) {
         varyings[i] = planes->corner[i] + planes->at[i] * w;
-    }
-}
-
-/* The varyings of pixels x, x + 1, ... of row y, all of one piece. */
-KERNEL void interpolate_varyings(const struct shader *shader, const real *planes, int x, int y,
-                                 lanes *varyings) {
-    struct lanes_planes same;
-    clear_planes(&same, shader);
-    take_planes(&same, 0, shader, planes, lanes_from(x), (real)y);
-    divide_planes(&same, shader, varyings);
-    for (size_t k = 0; shader->flat && k < shader->varying_count; k++) {
-        varyings[k] = lanes_all(plane_at(planes, k, PLANE_CORNER));
     }
 }
 
@@ -302,22 +274,15 @@ KERNEL uint32_t find_runs(const uint32_t number[LANES + 1]) {
  * run, and divided by w once. False when none of the pixels is of this draw call. */
 KERNEL bool gather_varyings(const struct call_band *band, const struct shader *shader,
                             const uint32_t number[LANES + 1], int x, int y, lanes *varyings) {
-    const uint32_t *fetched = band->scratch->fetched;
     struct lanes_planes planes;
-    lanes columns = lanes_from(x);
-    bool found = has_number(band, number[0]);
+    bool found = false;
     clear_planes(&planes, shader);
-    if (found) {
-        take_planes(&planes, 0, shader,
-                    planes_of(band->scratch->planes, shader, fetched[number[0]]), columns, (real)y);
-    }
-    uint32_t runs = find_runs(number);
-    for (runs &= runs - 1; runs != 0; runs &= runs - 1) {
+    for (uint32_t runs = find_runs(number); runs != 0; runs &= runs - 1) {
         int first = __builtin_ctz(runs);
         if (has_number(band, number[first])) {
-            take_planes(&planes, first, shader,
-                        planes_of(band->scratch->planes, shader, fetched[number[first]]), columns,
-                        (real)y);
+            const uint32_t place = band->scratch->fetched[number[first]];
+            take_planes(&planes, first, shader, planes_of(band->scratch->planes, shader, place),
+                        lanes_from(x), (real)y);
             found = true;
         }
     }
@@ -345,29 +310,45 @@ KERNEL bool gather_pixels(const struct call_band *band, const struct shader *sha
     pixels->number = number;
     pixels->drawn = (lanes_int)((numbers > (uint32_t)band->numbers.begin) &
                                 (numbers <= (uint32_t)band->numbers.end));
-    if (band->frame->reordered && lanes_bits(pixels->drawn) == 0) {
-        return false; /* found sooner than run by run */
+    if (lanes_bits(pixels->drawn) == 0) {
+        return false;
     }
-    if (shader->flat) {
-        return true;
+    return has_colors(shader) || gather_varyings(band, shader, number, x, y, pixels->varyings);
+}
+
+/* Of the pixels that are drawn, those that the shader discards show again what they showed before.
+ * Returns the others. */
+KERNEL lanes_int take_back(const struct call_band *band, const struct pixels *pixels,
+                           lanes_mask kept) {
+    const struct visibility *now = band->visibility, *before = &band->scratch->before;
+    size_t place = (size_t)(pixels->number - now->number);
+    lanes_int drawn = pixels->drawn;
+    for (int i = 0; i < LANES; i++) {
+        if (drawn[i] != 0 && !lanes_is_set(kept, i)) {
+            now->depth[place + (size_t)i] = before->depth[place + (size_t)i];
+            now->number[place + (size_t)i] = before->number[place + (size_t)i];
+            drawn[i] = 0;
+        }
     }
-    return gather_varyings(band, shader, number, x, y, pixels->varyings);
+    return drawn;
 }
 
 KERNEL void shade_pixels(const struct call_band *band, const struct shader *shader,
                          const struct pixels *pixels) {
     lanes_texel color;
-    if (shader->flat) { /* colours of other draw calls are of no use */
+    lanes_int drawn = pixels->drawn;
+    if (has_colors(shader)) { /* colours of other draw calls are of no use */
         color = lanes_fetch(band->scratch->fetched, pixels->number);
     } else {
-        shader->fragment(band->uniforms, pixels->varyings, &color);
+        lanes_mask kept = shader->fragment(band->uniforms, pixels->varyings, &color);
+        drawn = shader->discards ? take_back(band, pixels, kept) : drawn;
     }
-    write_lanes(band->frame->image, pixels->x, pixels->y, color, pixels->drawn);
+    write_lanes(band->frame->image, pixels->x, pixels->y, color, drawn);
 }
 
 /* The pixels of the draw call in LANES columns of the band. All are gathered, and prepared, before
  * the first is shaded: a processor foresees badly how many pieces there are, and would begin again
- * with texels that are on their way. (Flat ones wait for none: at once, in 0.94 of the time of a
+ * with texels that are on their way. (Colours wait for nothing: at once, in 0.94 of the time of a
  * frame.) Returns how many pixels there were in each column. */
 KERNEL lanes_int shade_columns(const struct call_band *band, const struct shader *shader, int x) {
     const uint32_t *number = band->visibility->number + place_in_band(0, x);
@@ -378,7 +359,7 @@ KERNEL lanes_int shade_columns(const struct call_band *band, const struct shader
     for (int y = band->rows.begin; y < band->rows.end; y++) {
         if ((touched & 1) != 0 && gather_pixels(band, shader, number, x, y, &pixels[count])) {
             shaded += pixels[count].drawn & 1;
-            if (shader->flat) {
+            if (has_colors(shader)) {
                 shade_pixels(band, shader, &pixels[count]);
             } else {
                 count++;
@@ -397,131 +378,17 @@ KERNEL lanes_int shade_columns(const struct call_band *band, const struct shader
 }
 
 /* Each visible pixel of the draw call once, in columns: what lies above a chunk is mostly of the
- * same pieces, and its texels are next to those just fetched. */
+ * same pieces, and its texels are next to those just fetched. SHADER() compiles this for a
+ * shader. */
 KERNEL void shade_visible(const struct call_band *band, const struct shader *shader) {
-    struct span columns = band->call->place.columns;
     lanes_int shaded = {0};
     if (fetch_visible(band, shader) == 0) {
         return;
     }
-    for (int x = columns.begin / CHUNK * CHUNK; x < columns.end; x += LANES) {
+    for (int x = band->columns.begin / CHUNK * CHUNK; x < band->columns.end; x += LANES) {
         shaded += shade_columns(band, shader, x);
     }
     band->stats[STAT_PIXELS_SHADED] += lanes_sum(shaded);
-}
-
-/* ---- Covering and shading at once ---- */
-
-/* The depth of a piece at a pixel is z0 + e1 k1 + e2 k2, with its exact edge functions e. */
-struct depth_slopes {
-    double origin, k1, k2; /* z0, (z1 - z0) / area, (z2 - z0) / area */
-};
-
-static inline struct depth_slopes find_depth_slopes(const struct piece *piece, double area) {
-    double scale = 1 / area;
-    const double *z = piece->depth;
-    return (struct depth_slopes){z[0], (z[1] - z[0]) * scale, (z[2] - z[0]) * scale};
-}
-
-/* At a pixel whose edge functions are e1 and e2. (Not from a neighbour's depth and the step to this
- * one: in a sliver these are far larger than the depth, and so are their roundings.) */
-static inline double depth_at(const struct depth_slopes *s, double e1, double e2) {
-    return s->origin + e1 * s->k1 + e2 * s->k2;
-}
-
-/* An edge function at pixel (x,y), exact: see guard_band_of(). */
-static inline double edge_at(const struct edge *e, int x, int y) {
-    return (double)(e->origin + e->dx * x + e->dy * y);
-}
-
-/* Draw the pixels of a chunk that a piece covers and where it is nearest so far. Their numbers
- * become the piece's, so that nothing behind it is shaded. */
-KERNEL void shade_chunk_at_once(const struct call_band *band, const struct shader *shader,
-                                const real *planes, uint32_t number, struct span span, int x, int y,
-                                const struct edges *edges, const struct depth_slopes *slopes) {
-    size_t first = place_in_band(y - band->rows.begin, x);
-    double *depths = band->visibility->depth + first;
-    for (int lane = 0; lane < CHUNK; lane += LANES) {
-        double depth[LANES];
-        uint32_t drawn[LANES];
-        uint64_t count = 0;
-        for (int i = 0; i < LANES; i++) {
-            int at = x + lane + i;
-            depth[i] =
-                depth_at(slopes, edge_at(&edges->edge[1], at, y), edge_at(&edges->edge[2], at, y));
-            drawn[i] = at >= span.begin && at < span.end && depth[i] > depths[lane + i];
-            count += drawn[i];
-        }
-        if (count == 0) {
-            continue;
-        }
-        lanes varyings[VARYING_LIMIT];
-        lanes_texel color;
-        interpolate_varyings(shader, planes, x + lane, y, varyings);
-        prepare_varyings(band, shader, varyings);
-        lanes_mask kept = shader->fragment(band->uniforms, varyings, &color);
-        for (int i = 0; i < LANES; i++) {
-            drawn[i] = drawn[i] && lanes_is_set(kept, i);
-            depths[lane + i] = drawn[i] ? depth[i] : depths[lane + i];
-            uint32_t *old_number = &band->visibility->number[first + (size_t)(lane + i)];
-            *old_number = drawn[i] ? number : *old_number;
-        }
-        band->stats[STAT_PIXELS_PASSED] += count;
-        band->stats[STAT_PIXELS_SHADED] += count;
-        band->visibility->touched[x / CHUNK] |= UINT32_C(1) << (y - band->rows.begin);
-        lanes_int mask;
-        for (int i = 0; i < LANES; i++) {
-            drawn[i] = drawn[i] ? UINT32_MAX : 0;
-        }
-        memcpy(&mask, drawn, sizeof mask);
-        write_lanes(band->frame->image, x + lane, y, color, mask);
-    }
-}
-
-KERNEL void shade_piece_at_once(const struct call_band *band, const struct shader *shader,
-                                const struct piece *piece, uint32_t number) {
-    const struct pipeline *p = band->frame->pipeline;
-    const struct rectangle *viewport = &band->call->call.viewport;
-    struct edges edges;
-    const struct fixed2 *c = piece->corner;
-    if (!edges_setup(&edges, c[0], c[1], c[2], p->width, p->height)) {
-        return;
-    }
-    real planes[PLANES_SIZE(VARYING_LIMIT) * TOGETHER];
-    fetch_planes(band, shader, piece, planes);
-    band->stats[STAT_ATTRIBUTE_SETS]++;
-    struct depth_slopes slopes = find_depth_slopes(piece, (double)edges.area);
-    struct span rows =
-        span_overlap((struct span){edges.y_begin, edges.y_end}, band->call->place.rows);
-    rows = span_overlap(rows, band->rows);
-    for (int y = rows.begin; y < rows.end; y++) {
-        struct span span = span_overlap(edges_span(&edges, y),
-                                        (struct span){viewport->x, viewport->x + viewport->width});
-        if (span.begin >= span.end) {
-            continue;
-        }
-        band->stats[STAT_PIXELS_COVERED] += (uint64_t)(span.end - span.begin);
-        for (int x = span.begin / CHUNK * CHUNK; x < span.end && !piece->dropped; x += CHUNK) {
-            shade_chunk_at_once(band, shader, planes, number, span, x, y, &edges, &slopes);
-        }
-    }
-}
-
-KERNEL void shade_at_once(const struct call_band *band, const struct shader *shader) {
-    for (int i = band->numbers.begin; i < band->numbers.end; i++) {
-        shade_piece_at_once(band, shader, band->scratch->pieces[i], (uint32_t)i + 1);
-    }
-}
-
-/* ---- One call in one band ---- */
-
-/* What SHADER() compiles for a shader. */
-KERNEL void shade_call(const struct call_band *band, const struct shader *shader, bool at_once) {
-    if (at_once) {
-        shade_at_once(band, shader);
-    } else {
-        shade_visible(band, shader);
-    }
 }
 
 #endif

@@ -24,47 +24,26 @@ LANES_INLINE struct lanes_place lanes_find_texel(lanes coordinate, real size, re
     return (struct lanes_place){texel, place - lanes_from_int(texel)};
 }
 
-LANES_INLINE struct lanes_place lanes_find_texel_x(const struct texture_level *level, lanes u) {
-    return lanes_find_texel(u, level->columns, level->recip_columns, level->most_columns);
-}
-
-LANES_INLINE struct lanes_place lanes_find_texel_y(const struct texture_level *level, lanes v) {
-    return lanes_find_texel(v, level->rows, level->recip_rows, level->most_rows);
-}
-
 /* Where the four texels around each pixel's place are in a level of that kind. */
 struct texel_place {
-    uint64_t kind;     /* the level's; 0: none yet */
-    lanes_texel bytes; /* from the first texel to the lower left one */
-    lanes weight[4];   /* lower left, lower right, upper left, upper right; sum 1 */
+    uint64_t kind;       /* the level's; 0: none yet */
+    lanes_texel bytes;   /* from the first texel to the lower left one */
+    lanes across, along; /* how far the place lies from that one to the right and up, 0 to 1 */
 };
 
 /* The four texels, mixed by texels_mix(). */
 struct texels {
-    lanes_texel texel[4];
-    lanes weight[4];
+    lanes_texel texel[4]; /* lower left, lower right, upper left, upper right */
+    lanes weight[4];      /* sum 1 */
 };
 
-/* The weights of four texels for a place so far to the right and up from the lower left one. */
-LANES_INLINE void lanes_texel_weights(lanes across, lanes along, lanes weight[4]) {
-    weight[3] = across * along;
-    weight[2] = along - weight[3];
-    weight[1] = across - weight[3];
-    weight[0] = 1 - across - weight[2];
-}
-
-LANES_INLINE lanes_texel lanes_texel_bytes(const struct texture_level *level, struct lanes_place x,
-                                           struct lanes_place y) {
-    return ((lanes_texel)y.texel * (uint32_t)level->pitch + (lanes_texel)x.texel) *
-           (uint32_t)sizeof *level->texels;
-}
-
-LANES_INLINE void texture_find(const struct texture_level *level, struct lanes2 uv,
-                               struct texel_place *place) {
-    struct lanes_place x = lanes_find_texel_x(level, uv.x), y = lanes_find_texel_y(level, uv.y);
-    place->kind = level->kind;
-    place->bytes = lanes_texel_bytes(level, x, y);
-    lanes_texel_weights(x.fraction, y.fraction, place->weight);
+LANES_INLINE struct texel_place texture_find(const struct texture_level *level, lanes u, lanes v) {
+    struct lanes_place x =
+        lanes_find_texel(u, level->columns, level->recip_columns, level->most_columns);
+    struct lanes_place y = lanes_find_texel(v, level->rows, level->recip_rows, level->most_rows);
+    lanes_texel texel = (lanes_texel)y.texel * (uint32_t)level->pitch + (lanes_texel)x.texel;
+    return (struct texel_place){level->kind, texel * (uint32_t)sizeof *level->texels, x.fraction,
+                                y.fraction};
 }
 
 /* Ask the memory for texels some rows above these, and for the next above those: the pixels above
@@ -89,6 +68,19 @@ LANES_INLINE const struct texture_level *texture_level_of(const struct texture *
     return &texture->level[level < last_level ? level : last_level];
 }
 
+LANES_INLINE struct texels texels_fetch(const struct texture_level *level,
+                                        const struct texel_place *place) {
+    struct texels t;
+    lanes_fetch_pairs(level->texels, place->bytes, &t.texel[0], &t.texel[1]);
+    lanes_fetch_pairs(level->texels + level->pitch, place->bytes, &t.texel[2], &t.texel[3]);
+    texture_expect(level, level->texels, place->bytes);
+    t.weight[3] = place->across * place->along;
+    t.weight[2] = place->along - t.weight[3];
+    t.weight[1] = place->across - t.weight[3];
+    t.weight[0] = 1 - place->across - t.weight[2];
+    return t;
+}
+
 /* Fetch from one level (clamped to the last one). `place` is all zero, or where the last fetch at
  * the same uv was: textures of one size have the same places. Memory is slow: fetch from several
  * textures first, and mix then, so that the processor waits for all of them at once. */
@@ -96,14 +88,9 @@ LANES_INLINE struct texels texture_fetch(const struct texture *texture, struct l
                                          size_t level, struct texel_place *place) {
     const struct texture_level *l = texture_level_of(texture, level);
     if (place->kind != l->kind) {
-        texture_find(l, uv, place);
+        *place = texture_find(l, uv.x, uv.y);
     }
-    struct texels texels;
-    lanes_fetch_pairs(l->texels, place->bytes, &texels.texel[0], &texels.texel[1]);
-    lanes_fetch_pairs(l->texels + l->pitch, place->bytes, &texels.texel[2], &texels.texel[3]);
-    texture_expect(l, l->texels, place->bytes);
-    memcpy(texels.weight, place->weight, sizeof texels.weight);
-    return texels;
+    return texels_fetch(l, place);
 }
 
 /* The channel of the four texels that the bits of `mask` are, mixed, times the lowest of the bits:
@@ -138,25 +125,18 @@ LANES_INLINE struct lanes3 texture_lanes(const struct texture *texture, struct l
  * lies from the lower left texel to the right and up, 0 to 1; `index` says which texel that is. */
 LANES_INLINE void texture_locate(const struct texture *texture, size_t level, lanes *u, lanes *v,
                                  lanes *index) {
-    const struct texture_level *l = texture_level_of(texture, level);
-    struct lanes_place x = lanes_find_texel_x(l, *u), y = lanes_find_texel_y(l, *v);
-    *u = x.fraction;
-    *v = y.fraction;
-    lanes_texel at = lanes_texel_bytes(l, x, y);
-    memcpy(index, &at, sizeof at);
+    struct texel_place place = texture_find(texture_level_of(texture, level), *u, *v);
+    *u = place.across;
+    *v = place.along;
+    memcpy(index, &place.bytes, sizeof place.bytes);
 }
 
 /* Then, what texture_lanes() finds there, of the same texture and level. */
 LANES_INLINE struct lanes3 texture_located(const struct texture *texture, size_t level, lanes u,
                                            lanes v, const lanes *index) {
-    const struct texture_level *l = texture_level_of(texture, level);
-    struct texels texels;
-    lanes_texel place;
-    memcpy(&place, index, sizeof place);
-    lanes_fetch_pairs(l->texels, place, &texels.texel[0], &texels.texel[1]);
-    lanes_fetch_pairs(l->texels + l->pitch, place, &texels.texel[2], &texels.texel[3]);
-    texture_expect(l, l->texels, place);
-    lanes_texel_weights(u, v, texels.weight);
+    struct texel_place place = {.across = u, .along = v};
+    memcpy(&place.bytes, index, sizeof place.bytes);
+    struct texels texels = texels_fetch(texture_level_of(texture, level), &place);
     return texels_mix(&texels);
 }
 

@@ -125,6 +125,11 @@ typedef int32_t ints __attribute__((vector_size(TOGETHER * sizeof(int32_t))));
 typedef int64_t longs __attribute__((vector_size(TOGETHER * sizeof(int64_t))));
 typedef double doubles __attribute__((vector_size(TOGETHER * sizeof(double))));
 
+/* A number for each corner or edge of a triangle, and a fourth that is of no use. */
+typedef int32_t int4 __attribute__((vector_size(4 * sizeof(int32_t))));
+typedef int64_t long4 __attribute__((vector_size(4 * sizeof(int64_t))));
+typedef double double4 __attribute__((vector_size(4 * sizeof(double))));
+
 LANES_INLINE doubles doubles_all(double value) {
     return value - (doubles){0};
 }

@@ -100,22 +100,18 @@ static void make_crowd(struct scene *scene, const struct model *head) {
 
 /* ---- Drawing ---- */
 
-/* A way to draw. The models are closed: without culling the picture is the same. The nearest can
- * come first only where shading comes last. */
+/* A way to draw. The models are closed: without culling the picture is the same. */
 struct way {
     const char *name;
-    unsigned shortcuts;
     bool skip;
     enum cull cull;
 };
 
 static const struct way ways[] = {
-    {"nothing skipped", 0, false, CULL_NONE},
-    {"off screen", SHORTCUT_OUTSIDE, true, CULL_NONE},
-    {"turned away", 0, true, CULL_BACK},
-    {"shaded last", SHORTCUT_VISIBLE, true, CULL_NONE},
-    {"nearest first", SHORTCUT_VISIBLE | SHORTCUT_BEHIND, true, CULL_NONE},
-    {"all", SHORTCUTS, true, CULL_BACK},
+    {"nothing skipped", false, CULL_NONE},
+    {"turned away", false, CULL_BACK},
+    {"hidden", true, CULL_NONE},
+    {"all", true, CULL_BACK},
 };
 
 enum { WAYS = sizeof ways / sizeof ways[0] };
@@ -123,7 +119,6 @@ enum { WAYS = sizeof ways / sizeof ways[0] };
 static bool draw(struct pipeline *pipeline, const struct scene *scene, const struct way *way,
                  struct image *image, struct error *error) {
     pipeline->skip = way->skip;
-    pipeline->frame->shortcuts = way->shortcuts;
     pipeline_clear(pipeline);
     memset(image->pixels, 0, SIDE * SIDE * (size_t)image->format);
     for (size_t i = 0; i < scene->count; i++) {

@@ -23,7 +23,6 @@ struct centers {
 
 struct answer {
     enum triangle_kind kind;
-    bool culled;
     int first, second;
     struct centers seen;
 };
@@ -81,7 +80,7 @@ static enum triangle_kind kind_of(const struct triangle *t, const struct draw_ca
     if (t->beyond_any & (BEYOND_NEAR | BEYOND_GUARD_BAND)) {
         return TRIANGLE_CLIPPED;
     }
-    if (skip && is_culled(t, call->cull)) {
+    if (is_culled(t, call->cull)) {
         return TRIANGLE_TURNED_AWAY;
     }
     return has_no_pixel(t, call, skip) ? TRIANGLE_WITHOUT_PIXEL : TRIANGLE_WHOLE;
@@ -96,7 +95,6 @@ static struct answer find_answer(const struct triangle *t, const struct draw_cal
     const struct fixed2 *c = t->corner;
     struct answer answer = {
         .kind = kind_of(t, call, skip),
-        .culled = is_culled(t, call->cull),
         .seen = centers_in(centers_of(c), &call->viewport),
     };
     for (int i = 0; i < 3; i++) {
@@ -123,10 +121,9 @@ static bool is_answer(const struct batch *batch, size_t at, const struct answer 
     if (batch->kind[at] != (int32_t)answer->kind || answer->kind != TRIANGLE_WHOLE) {
         return batch->kind[at] == (int32_t)answer->kind;
     }
-    return (batch->culled[at] != 0) == answer->culled && batch->first[at] == answer->first &&
-           batch->second[at] == answer->second && batch->left[at] == answer->seen.left &&
-           batch->right[at] == answer->seen.right && batch->bottom[at] == answer->seen.bottom &&
-           batch->top[at] == answer->seen.top;
+    return batch->first[at] == answer->first && batch->second[at] == answer->second &&
+           batch->left[at] == answer->seen.left && batch->right[at] == answer->seen.right &&
+           batch->bottom[at] == answer->seen.bottom && batch->top[at] == answer->seen.top;
 }
 
 static void print_triangle(const struct triangle *t) {

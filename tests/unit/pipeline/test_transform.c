@@ -83,30 +83,25 @@ static struct mat4 random_matrix(int run) {
 
 /* Of that many positions. Returns how many differ. */
 static size_t count_wrong(size_t count, const struct draw_call *call) {
-    static struct fixed2 screen[ROUNDED];
-    static double depth[ROUNDED], recip_w[ROUNDED];
+    static struct screen_position position[ROUNDED];
+    static double recip_w[ROUNDED];
     static uint8_t beyond[ROUNDED];
     struct recorded_call recorded = {.call = *call, .guard_band = guard_band_of(&call->viewport)};
-    struct call_part parts[COUNT / BLOCK_SIZE + 1];
-    struct frame frame = {.screens = screen,
-                          .depths = depth,
-                          .recip_w = recip_w,
-                          .beyonds = beyond,
-                          .positions = parts};
+    struct block blocks[COUNT / BLOCK_SIZE + 1];
+    struct frame frame = {
+        .positions = position, .recip_w = recip_w, .beyonds = beyond, .blocks = blocks};
     unsigned any = 0;
     size_t wrong = 0;
-    memset(recip_w, 0, sizeof recip_w);
+    memset(position, 1, sizeof position);
     for (size_t block = 0; block * BLOCK_SIZE < count; block++) {
-        size_t begin = block * BLOCK_SIZE, rest = count - begin;
-        parts[block] =
-            (struct call_part){&recorded, {begin, rest < BLOCK_SIZE ? count : begin + BLOCK_SIZE}};
-        transform_part(&frame, block, 0);
+        blocks[block] = (struct block){.call = &recorded, .begin = block * BLOCK_SIZE};
+        transform_block(&frame, block, 0);
     }
     for (size_t i = 0; i < count; i++) {
         struct expected e = expect(call, call->model->positions[i]);
-        bool same = screen[i].x == e.screen.x && screen[i].y == e.screen.y &&
-                    same_double(depth[i], e.depth) && beyond[i] == e.beyond &&
-                    same_double(recip_w[i], e.recip_w);
+        bool same = position[i].at.x == e.screen.x && position[i].at.y == e.screen.y &&
+                    same_double(position[i].depth, e.depth) && same_double(recip_w[i], e.recip_w) &&
+                    beyond[i] == e.beyond;
         wrong += !same;
         any |= e.beyond;
     }
@@ -125,7 +120,7 @@ static void test_positions(void) {
             .model = &model, .to_clip = random_matrix(run), .viewport = viewports[run % 4]};
         for (size_t i = 0; i < COUNT; i++) {
             positions[i] = (struct vec3){hostile(), hostile(), hostile()};
-            placed += expect(&call, positions[i]).recip_w != 0;
+            placed += expect(&call, positions[i]).beyond != BEYOND_ALL;
         }
         for (size_t i = 0; i < sizeof counts / sizeof counts[0]; i++) {
             model.position_count = counts[i];
