@@ -113,7 +113,7 @@ static bool scratch_reserve(struct scratch *scratch, const struct frame *frame) 
     size_t pixels = chunk_columns(frame) * CHUNK * BAND_HEIGHT, count = frame->sorted_count + 1;
     size_t visible = (count < pixels ? count : pixels) + TOGETHER; /* which are written at once */
     return array_extend(&scratch->pieces, &scratch->piece_capacity, count,
-                        sizeof *scratch->pieces) &&
+                        sizeof(struct piece *)) &&
            array_extend(&scratch->fetched, &scratch->fetched_capacity, count,
                         sizeof *scratch->fetched) &&
            array_extend(&scratch->visible, &scratch->visible_capacity, count,

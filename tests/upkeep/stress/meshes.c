@@ -47,8 +47,7 @@ static void build_soup(uint64_t seed, struct world_mesh *mesh) {
 }
 
 static void place_vertex(const void *uniforms, size_t face, size_t corner, double *varyings) {
-    const struct model *model = *(const struct model *const *)uniforms;
-    struct vec3 p = model_position(model, face, corner);
+    struct vec3 p = model_position(uniforms, face, corner);
     varyings[0] = p.x;
     varyings[1] = p.y;
     varyings[2] = p.z;
@@ -67,7 +66,6 @@ static bool draw_soup(const struct world_mesh *mesh, double distance, int left, 
                       bool skip, struct image *image) {
     struct error error;
     struct pipeline pipeline;
-    const struct model *uniforms = &mesh->model;
     struct draw_call call = {.model = &mesh->model,
                              .to_clip = mat4_projection(distance),
                              .viewport = {left, bottom, SIZE, SIZE}};
@@ -79,8 +77,8 @@ static bool draw_soup(const struct world_mesh *mesh, double distance, int left, 
     }
     pipeline.skip = skip;
     pipeline_use_threads(&pipeline, 1 + (size_t)(left * bottom) % 61 / 59);
-    bool done =
-        draw_frame(&pipeline, &call, &place_shader, &uniforms, sizeof uniforms, image, &error);
+    bool done = draw_frame(&pipeline, &call, &place_shader, &mesh->model, sizeof mesh->model, image,
+                           &error);
     pipeline_free(&pipeline);
     return done;
 }
