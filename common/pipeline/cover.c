@@ -335,9 +335,11 @@ static void cover_call(struct call_band *band) {
     const struct cover_how how = {band->frame->reordered, band->frame->pipeline->counts_tests};
     if (shades_at_once(band->frame, band->call->shader)) {
         draw_pieces(band);
-    } else if (how.reordered || how.counts) {
+    } else if (how.counts) {
         cover_pieces(band, how);
-    } else { /* the same without asking for each pixel */
+    } else if (how.reordered) { /* the same without asking for each pixel */
+        cover_pieces(band, (struct cover_how){true, false});
+    } else {
         cover_pieces(band, (struct cover_how){false, false});
     }
 }

@@ -102,6 +102,25 @@ static bool may_be_outside(const struct draw_call *call) {
 
 /* ---- Their order ---- */
 
+static uint64_t area_of(struct span columns, struct span rows) {
+    return (uint64_t)(columns.end - columns.begin) * (uint64_t)(rows.end - rows.begin);
+}
+
+/* May the calls overlap on the screen? Pictures side by side do not, and have no order. */
+static bool calls_overlap(const struct frame *frame) {
+    struct span columns = {INT_MAX, 0}, rows = columns;
+    uint64_t sum = 0;
+    for (size_t i = 0; i < frame->order_count; i++) {
+        const struct screen_place *place = &frame->order[i].call->place;
+        if (!place_is_empty(place)) {
+            columns = span_around(columns, place->columns);
+            rows = span_around(rows, place->rows);
+            sum += area_of(place->columns, place->rows);
+        }
+    }
+    return sum > 0 && sum > area_of(columns, rows);
+}
+
 /* The nearest first; of equally near ones the first drawn. */
 static int compare_calls(const void *left, const void *right) {
     const struct call_order *a = left, *b = right;
@@ -141,7 +160,7 @@ bool pipeline_order(struct frame *frame, struct error *error) {
     }
     list_calls(frame);
     /* A shader that discards needs the order of drawing. */
-    frame->reordered = frame->pipeline->skip && !frame->discards && frame->order_count > 1;
+    frame->reordered = frame->pipeline->skip && !frame->discards && calls_overlap(frame);
     if (frame->reordered) {
         qsort(frame->order, frame->order_count, sizeof *frame->order, compare_calls);
     }

@@ -260,14 +260,27 @@ KERNEL bool has_number(const struct call_band *band, uint32_t number) {
     return number > (uint32_t)band->numbers.begin && number <= (uint32_t)band->numbers.end;
 }
 
-/* Where runs of equal numbers begin: bit 0, and bit i where pixel i has another number than the one
+/* Where other runs of equal numbers begin: bit i where pixel i has another number than the one
  * before it. The number behind the LANES pixels is read, too. */
 KERNEL uint32_t find_runs(const uint32_t number[LANES + 1]) {
     lanes_texel here, next;
     memcpy(&here, number, sizeof here);
     memcpy(&next, number + 1, sizeof next);
     uint32_t ends = lanes_bits((lanes_int)(here != next));
-    return (ends << 1 & ((UINT32_C(1) << LANES) - 1)) | 1;
+    return ends << 1 & ((UINT32_C(1) << LANES) - 1);
+}
+
+/* From lane `first` on, the planes become those of the piece whose number is there. False when it
+ * is not of this draw call. */
+KERNEL bool take_run(const struct call_band *band, const struct shader *shader,
+                     const uint32_t *number, int first, int x, int y, struct lanes_planes *planes) {
+    if (!has_number(band, number[first])) {
+        return false;
+    }
+    uint32_t place = band->scratch->fetched[number[first]];
+    take_planes(planes, first, shader, planes_of(band->scratch->planes, shader, place),
+                lanes_from(x), (real)y);
+    return true;
 }
 
 /* The varyings of LANES pixels, which may belong to several pieces: the planes are taken run by
@@ -275,16 +288,10 @@ KERNEL uint32_t find_runs(const uint32_t number[LANES + 1]) {
 KERNEL bool gather_varyings(const struct call_band *band, const struct shader *shader,
                             const uint32_t number[LANES + 1], int x, int y, lanes *varyings) {
     struct lanes_planes planes;
-    bool found = false;
     clear_planes(&planes, shader);
+    bool found = take_run(band, shader, number, 0, x, y, &planes); /* mostly the only one */
     for (uint32_t runs = find_runs(number); runs != 0; runs &= runs - 1) {
-        int first = __builtin_ctz(runs);
-        if (has_number(band, number[first])) {
-            const uint32_t place = band->scratch->fetched[number[first]];
-            take_planes(&planes, first, shader, planes_of(band->scratch->planes, shader, place),
-                        lanes_from(x), (real)y);
-            found = true;
-        }
+        found |= take_run(band, shader, number, __builtin_ctz(runs), x, y, &planes);
     }
     if (found) {
         divide_planes(&planes, shader, varyings);
