@@ -270,28 +270,27 @@ KERNEL uint32_t find_runs(const uint32_t number[LANES + 1]) {
     return ends << 1 & ((UINT32_C(1) << LANES) - 1);
 }
 
-/* From lane `first` on, the planes become those of the piece whose number is there. False when it
- * is not of this draw call. */
-KERNEL bool take_run(const struct call_band *band, const struct shader *shader,
-                     const uint32_t *number, int first, int x, int y, struct lanes_planes *planes) {
-    if (!has_number(band, number[first])) {
-        return false;
-    }
-    uint32_t place = band->scratch->fetched[number[first]];
-    take_planes(planes, first, shader, planes_of(band->scratch->planes, shader, place),
-                lanes_from(x), (real)y);
-    return true;
-}
-
 /* The varyings of LANES pixels, which may belong to several pieces: the planes are taken run by
- * run, and divided by w once. False when none of the pixels is of this draw call. */
+ * run, mostly one, and divided by w once. False when none of the pixels is of this draw call. */
 KERNEL bool gather_varyings(const struct call_band *band, const struct shader *shader,
                             const uint32_t number[LANES + 1], int x, int y, lanes *varyings) {
     struct lanes_planes planes;
+    const real *all = band->scratch->planes;
+    const uint32_t *fetched = band->scratch->fetched;
+    const lanes columns = lanes_from(x);
+    bool found = has_number(band, number[0]);
     clear_planes(&planes, shader);
-    bool found = take_run(band, shader, number, 0, x, y, &planes); /* mostly the only one */
+    if (found) {
+        take_planes(&planes, 0, shader, planes_of(all, shader, fetched[number[0]]), columns,
+                    (real)y);
+    }
     for (uint32_t runs = find_runs(number); runs != 0; runs &= runs - 1) {
-        found |= take_run(band, shader, number, __builtin_ctz(runs), x, y, &planes);
+        int first = __builtin_ctz(runs);
+        if (has_number(band, number[first])) {
+            take_planes(&planes, first, shader, planes_of(all, shader, fetched[number[first]]),
+                        columns, (real)y);
+            found = true;
+        }
     }
     if (found) {
         divide_planes(&planes, shader, varyings);
