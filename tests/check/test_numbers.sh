@@ -12,7 +12,7 @@ cp "$main" "$work/solution.c"
 # checked STATUS OLD NEW: lesson 1 with the line of 1.3 that holds OLD instead of it.
 checked() {
     awk -v old="$2" -v new="$3" 'index($0, old) { print new; next } { print }' "$work/solution.c" >"$main"
-    said_by "$1" make -s check STEP=01 MARCH= CFLAGS=-O1 CHECK_TIMEOUT=4
+    said_by "$1" make -s check STEP=01 MARCH= CFLAGS=-O0 CHECK_TIMEOUT=4
 }
 length='return (size_t)walk.run + 1;'
 
@@ -21,7 +21,7 @@ checked 1 "$length" 'return (size_t)walk.run + (walk.run > 0);'
 says '  numbers 1.3 FAIL 0/1: line_length((5, 5), (5, 5)) must be 1: yours 0'
 silent '1.3 perhaps'
 says '1.4 1/2'
-said_by 0 make hint STEP=01 MARCH= CFLAGS=-O1
+said_by 0 make hint STEP=01 MARCH= CFLAGS=-O0
 says 'Task 1.3, hint 1 of 3'
 checked 1 "$length" 'for (;;) walk.run = 0;'
 says '  numbers 1.3 TIME 0/1: line_length((0, 0), (5, 2)) must be 6: yours does not return'
@@ -40,11 +40,11 @@ checked 1 "$length" 'return (size_t)walk.run;' # the array of the list is one to
 says ': memory was written outside of an array: '
 
 checked 1 "$length" 'int zero = 0; return 1 / zero;'
-said_by 1 make -s check STEP=01 MARCH= CFLAGS=-O1 CHECK_TIMEOUT=20 SANITIZE=1
+said_by 1 make -s check STEP=01 MARCH= CFLAGS=-O0 CHECK_TIMEOUT=20 SANITIZE=1
 says '  numbers 1.3 CRASH 0/1: line_length((0, 0), (5, 2)) must be 6: step01_line/main.c:'
 says ': division by zero'
 checked 0 nothing ''
-said_by 0 make -s check STEP=01 MARCH= CFLAGS=-O1 CHECK_TIMEOUT=20 SANITIZE=1
+said_by 0 make -s check STEP=01 MARCH= CFLAGS=-O0 CHECK_TIMEOUT=20 SANITIZE=1
 says '17/17'
 
 # ---- What is not built ----
@@ -55,7 +55,7 @@ says 'SCORE 0/17: step01_line/program.h: error: it hides common/program.h: give 
 rm step01_line/program.h
 checked 0 nothing ''
 awk 'BEGIN { for (i = 0; i < 50000; i++) print "/* a comment in many lines */" }' >>"$main"
-said_by 1 make -s check STEP=01 MARCH= CFLAGS=-O1
+said_by 1 make -s check STEP=01 MARCH= CFLAGS=-O0
 says 'bytes; at most 1048576 are judged'
 
 # ---- The texts ----

@@ -36,7 +36,7 @@ words() {
 redone() {
     expected=$1
     shift
-    make -s CFLAGS=-O1 MARCH= "$@" >log 2>&1 || wrong "make $*: $(tail -n 20 log)"
+    make -s CFLAGS=-O0 MARCH= "$@" >log 2>&1 || wrong "make $*: $(tail -n 20 log)"
     found=$(find build -type f -newer old ! -name check.lock | sed 's:^build/::' | words)
     [ "$found" = "$(echo "$expected" | words)" ] ||
         wrong "make $* after a change of '$changed' wrote '$found', not '$expected'"
@@ -61,7 +61,7 @@ drawn() {
 }
 
 touch -t 200001010000 old
-make -s CFLAGS=-O1 MARCH= >log 2>&1 && make -s CFLAGS=-O1 MARCH= check >log 2>&1 ||
+make -s CFLAGS=-O0 MARCH= >log 2>&1 && make -s CFLAGS=-O1 MARCH= check >log 2>&1 ||
     { tail -n 20 log; exit 1; }
 
 after
@@ -79,7 +79,7 @@ touch -t 199901010000 $one/scenes.h
 redone "$one.text $(program $one)" check
 mkdir $two/parts && echo 'extern const int used_in_part;' >$two/parts/part.h
 echo '#include "parts/part.h"' >>$two/main.c
-make -s CFLAGS=-O1 MARCH= >log 2>&1 || wrong "$(cat log)"
+make -s CFLAGS=-O0 MARCH= >log 2>&1 || wrong "$(cat log)"
 after $two/parts/part.h 'extern const int used_in_part_too;'
 touch -t 199901010000 $two/parts/part.h
 redone "$two.text $(program $two) $(drawn $two)"
@@ -105,14 +105,14 @@ unused_is_shown
 # The line() that the second lesson draws with is that of the first one's main.c as it is now.
 rm -f $two/mine.c
 cp "$top/$one"/*.[ch] $one
-make -s CFLAGS=-O1 MARCH= LINE=mine build/$two >log 2>&1 || { tail -n 20 log; exit 1; }
+make -s CFLAGS=-O0 MARCH= LINE=mine build/$two >log 2>&1 || { tail -n 20 log; exit 1; }
 after $one/main.c 'extern const int used_by_mine;'
 touch -t 199901010000 $one/main.c
 redone "$one.text mine/$one.d mine/$one.o $(program $two)" LINE=mine build/$two
 
 # What was built from a main.c that is gone does not count.
 mv $one/main.c gone.c
-if make -s CFLAGS=-O1 MARCH= check STEP=01 >log 2>&1 ||
+if make -s CFLAGS=-O0 MARCH= check STEP=01 >log 2>&1 ||
     ! grep -q "^$one  BUILD 0/.*: there is no $one/main.c\$" log; then
     wrong "without $one/main.c the check says $(cat log)"
 fi

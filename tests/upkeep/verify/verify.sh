@@ -11,7 +11,7 @@
 # MAKE builds a program; STEP is 5, 05 or step05_zbuffer; PATTERN: only mistakes and programs with
 # it in their names. Works in BUILD, where the check, the library and the models must be built. As
 # many at a time as there are processors; WORKERS=1 in the environment for one, VERIFY_FIFTH=0 to 4
-# for every fifth mistake.
+# for every fifth mistake and correct program.
 #
 # Prints each finding as it comes, with what the check said, then two tables: how near to the limits
 # correct programs and mistakes come (limits.awk), and how many of each lesson were judged rightly.
@@ -137,8 +137,8 @@ print_table() {
 find_lessons
 make_table
 if [ -n "$fifth" ]; then
-    awk -F '\t' -v fifth="$fifth" '$3 != "mistake" || ++mistakes % 5 == fifth' "$work/table" >"$work/fifth" &&
-        mv "$work/fifth" "$work/table" || exit 1
+    awk -F '\t' -v fifth="$fifth" '$3 !~ /^(mistake|accept)$/ || ++listed % 5 == fifth' \
+        "$work/table" >"$work/fifth" && mv "$work/fifth" "$work/table" || exit 1
 fi
 : >"$work/results"
 cut -f 1 "$work/table" |
