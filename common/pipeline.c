@@ -1,4 +1,4 @@
-/* The pipeline: recording draw calls, and what a frame takes besides its stages. See pipeline.h. */
+/* The pipeline: recording draw calls, and what a frame needs around its stages. See pipeline.h. */
 #include "pipeline.h"
 
 #include <assert.h>

@@ -3,7 +3,7 @@
  *
  * Part a: `outline` draws the edges of three triangles, `leaving` those of triangles that leave the
  * image; `signs` fills triangles by three signs, and `bust` the faces of a model, each in a colour
- * of its own. Part b draws the triangles and the model again, in `triangle` and `faces`; in `far`
+ * for itself. Part b draws the triangles and the model again, in `triangle` and `faces`; in `far`
  * triangles leave the image on all sides; `sheet` and `fan` show how often each pixel of a mesh is
  * drawn. Part c: `gradient` mixes the colours of the corners. A text scene draws its own triangles.
  */

@@ -198,7 +198,7 @@ static void set_permissions(int file, long mode) {
 #endif
 }
 
-/* Write a new file beside `path` and rename it. `mode` holds the permissions of the file that is
+/* Write a new file next to `path` and rename it. `mode` holds the permissions of the file that is
  * replaced, or -1. */
 static bool write_and_rename(const char *path, long mode, const void *data, size_t size,
                              struct error *error) {

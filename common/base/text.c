@@ -76,7 +76,7 @@ static bool is_blank(char c) {
     return c == ' ' || c == '\t' || c == '\v' || c == '\f';
 }
 
-/* One past the line's end that stands at p (nothing, at the end of the text). */
+/* One past the line's end that is at p (nothing, at the end of the text). */
 static const char *over_line_end(const char *p, const char *end) {
     if (p < end && *p == '\r') {
         p++;
@@ -110,7 +110,7 @@ bool text_begin(struct text *text, const void *data, size_t size, bool continuat
     return true;
 }
 
-/* Go over what is left of this line. Only a backslash before its end makes it matter what stands
+/* Go over what is left of this line. Only a backslash before its end makes it matter what is
  * there: in a comment it joins nothing. */
 static void skip_rest_of_line(struct text *text) {
     const char *p = text->next;

@@ -20,7 +20,7 @@ enum { THREAD_LIMIT = 256 };
  * busy processes of others run for milliseconds.) */
 enum { PATIENCE = 50000 };
 
-/* A worker's share of a loop: parts that lie beside each other, done in turn, by whoever comes. */
+/* A worker's share of a loop: parts that lie side by side, done in turn, by whoever comes. */
 struct share {
     atomic_size_t next; /* the first part that nobody has taken */
     size_t end;

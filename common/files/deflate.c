@@ -30,7 +30,7 @@ enum {
 static const uint8_t length_order[ORDER_COUNT] = {16, 17, 18, 0, 8,  7, 9,  6, 10, 5,
                                                   11, 4,  12, 3, 13, 2, 14, 1, 15};
 
-/* The sum of all bytes, and the sum of all these sums: each byte stands in as many of them as bytes
+/* The sum of all bytes, and the sum of all these sums: each byte is in as many of them as bytes
  * are left from it on. */
 static uint32_t adler32(const uint8_t *data, size_t size) {
     enum { MODULUS = 65521, SAFE = 5552 }; /* SAFE additions stay inside 32 bits */
@@ -297,7 +297,7 @@ static bool write_block(struct compressor *c, bool last) {
     assign_codes(codes.lengths, LITERAL_COUNT, codes.literals);
     assign_codes(distance_lengths, DISTANCE_COUNT, codes.distances);
 
-    struct bit_writer writer = c->writer; /* of its own, so that it stays in registers */
+    struct bit_writer writer = c->writer; /* a copy, so that it stays in registers */
     writer.next = c->out->data + c->out->size;
     put_bits(&writer, last, 1);
     put_bits(&writer, 2, 2);
@@ -356,7 +356,7 @@ static unsigned count_equal(const uint8_t *a, const uint8_t *b, unsigned limit) 
     return count;
 }
 
-/* Enter position `at` and find the longest earlier copy of what stands there, among the newest
+/* Enter position `at` and find the longest earlier copy of what is there, among the newest
  * positions of its hash; the byte alone, if none is worth it. */
 static struct token find_token(struct compressor *c, size_t at) {
     const uint8_t *here = c->data + at;
@@ -705,7 +705,7 @@ static inline bool is_literal(unsigned entry) {
 
 /* The symbols of a block, up to its end. */
 static bool read_symbols(struct decompressor *d) {
-    struct bit_reader in = d->in; /* of its own, so that it stays in registers */
+    struct bit_reader in = d->in; /* a copy, so that it stays in registers */
     uint8_t *out = d->out + d->out_size, *const limit = d->out + d->out_limit;
     const char *problem = NULL;
     for (;;) {

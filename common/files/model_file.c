@@ -101,7 +101,7 @@ static bool keep_path(struct model *model, const char *path, struct error *error
 
 /* ---- Materials ---- */
 
-/* Read a file of materials beside the model. False when memory runs out; sets whether it is
+/* Read a file of materials next to the model. False when memory runs out; sets whether it is
  * there. */
 static bool read_library(struct model *model, struct word name, bool *found, struct error *error) {
     const char *slash = strrchr(model->path, '/');

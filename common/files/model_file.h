@@ -25,7 +25,7 @@
  * OFF). On an error `model` is empty and the message names the file and the line. */
 bool model_read(struct model *model, const char *path, struct error *error);
 
-/* What a file may hold besides positions and faces. */
+/* What a file may hold other than positions and faces. */
 enum model_part {
     MODEL_UVS = 1, /* and what materials say: everything that pictures on faces need */
     MODEL_NORMALS = 2,

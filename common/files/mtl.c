@@ -76,7 +76,7 @@ static void read_options(struct text *text, struct model_material *material) {
     }
 }
 
-/* The path of a texture: beside the materials or, where it is not there (many files name
+/* The path of a texture: next to the materials or, where it is not there (many files name
  * directories of their maker's machine), by its last part alone. The caller frees it. */
 static char *texture_path(struct word name, const char *directory) {
     if (name.length == 0 || name.length > INT_MAX) {
@@ -92,16 +92,16 @@ static char *texture_path(struct word name, const char *directory) {
     if (slash == NULL || file_exists(path)) {
         return path;
     }
-    char *beside = string_format("%s%s", directory, slash + 1);
-    if (beside == NULL || !file_exists(beside)) {
-        free(beside);
+    char *next_to = string_format("%s%s", directory, slash + 1);
+    if (next_to == NULL || !file_exists(next_to)) {
+        free(next_to);
         return path; /* as it is written, for messages */
     }
     free(path);
-    return beside;
+    return next_to;
 }
 
-/* A map of the material: its options, and its path in place of the last one. */
+/* A map of the material: its options, and its path instead of the last one. */
 static bool read_map(struct text *text, struct model_material *options, const char *directory,
                      char **path) {
     read_options(text, options);

@@ -77,7 +77,7 @@ static bool read_attribute(struct obj *obj, enum attribute attribute) {
 
 static bool read_lines(struct obj *obj);
 
-/* Read what comes further down, but for faces, and come back. */
+/* Read what comes further down, except faces, and come back. */
 static bool read_ahead(struct obj *obj) {
     struct obj here = *obj;
     obj->reading_ahead = true;

@@ -122,7 +122,7 @@ static bool one_word_follows(struct text text) {
 }
 
 /* Read over the number of edges, which nobody needs. Behind numbers that end their line it looks
- * like one where it has a line of its own. */
+ * like one where it has its own line. */
 static bool skip_edges(struct model_reader *reader, struct off_guess guess, bool *in_doubt) {
     struct word word = text_next_word(&reader->text);
     int64_t ignored;

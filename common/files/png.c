@@ -1,5 +1,5 @@
 /*
- * PNG in and out, APNG out; see png.h. The compression stands in deflate.c.
+ * PNG in and out, APNG out; see png.h. The compression is in deflate.c.
  *
  * A PNG file is a signature and chunks: length, type, data, checksum. The pixels, top row first,
  * each row after a byte that names its filter, are compressed into the IDAT chunks.
@@ -17,7 +17,7 @@
 static const uint8_t png_signature[8] = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
 
 enum {
-    CHUNK_OVERHEAD = 12,      /* bytes of a chunk beside its data */
+    CHUNK_OVERHEAD = 12,      /* bytes of a chunk around its data */
     CHUNK_LIMIT = 0x7fffffff, /* bytes of data of a chunk */
     HEADER_SIZE = 13,         /* of IHDR */
     PIXEL_LIMIT = 4,          /* bytes of a pixel */
@@ -662,7 +662,7 @@ static const uint8_t *part_row(const struct part *part, size_t y) {
     return image->pixels + ((part->y + y) * image->width + part->x) * (size_t)image->format;
 }
 
-/* Row y of the part as it stands in the file, not yet filtered. */
+/* Row y of the part as it is in the file, not yet filtered. */
 static void load_row(const struct part *part, size_t y, uint8_t *row) {
     const uint8_t *pixel = part_row(part, y);
     switch (part->image->format) {
@@ -778,7 +778,7 @@ bool png_write(const struct image *image, const char *path, struct error *error)
 /* ---- Animation ----
  *
  * APNG (third edition, section 11.3.4): acTL tells the number of frames; fcTL comes before each
- * frame's pixels, which stand in IDAT for the first and in fdAT for the others. fcTL and fdAT count
+ * frame's pixels, which are in IDAT for the first and in fdAT for the others. fcTL and fdAT count
  * a sequence number on. */
 
 enum { FRAME_CONTROL_SIZE = 26 };
@@ -870,7 +870,7 @@ static bool check_frames(const struct image *frames, size_t count, unsigned dela
     return true;
 }
 
-/* What stands before the first frame. */
+/* What comes before the first frame. */
 static bool append_animation_head(struct bytes *out, const struct image *frame, size_t count) {
     uint8_t control[8] = {0}; /* number of frames; 0 plays: forever */
     put_u32(control, count);

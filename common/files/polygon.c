@@ -18,8 +18,8 @@ struct polygon_node {
     double turn;                       /* orientation here: positive where the polygon is convex */
     uint32_t previous, next;           /* around the polygon */
     uint32_t cell_previous, cell_next; /* in the list of the same cell, or NOTHING */
-    bool in_cell;                      /* not convex: stands in the list of its cell */
-    bool waits;                        /* stands in the queue */
+    bool in_cell;                      /* not convex: is in the list of its cell */
+    bool waits;                        /* is in the queue */
     bool changed;                      /* since then it has another neighbour */
     bool gone;                         /* was cut off */
 };

@@ -60,8 +60,8 @@ LANES_INLINE struct tiny_edges tiny_edges(struct corners a, struct corners b, la
 }
 
 /* Which triangles have a box of at most two columns and two rows, and miss all its centres? Of the
- * very small ones that is half. (Of a narrower box, centres beside it are looked at as well: missed
- * in any case.) */
+ * very small ones that is half. (Of a narrower box, centres next to it are looked at, too: they are
+ * missed in any case.) */
 LANES_INLINE lanes_int miss_centers(const struct corners *c, lanes_int clockwise,
                                     const struct pixel_boxes *box) {
     lanes_int wide = box->right - box->left, high = box->top - box->bottom;

@@ -59,7 +59,7 @@ LANES_INLINE doubles depths_at(const struct depth_slopes *s, doubles e1, doubles
     return s->origin + e1 * s->k1 + e2 * s->k2;
 }
 
-/* Of TOGETHER strips of pixels beside each other, TOGETHER columns each: the rows in which some may
+/* Of TOGETHER strips of pixels side by side, TOGETHER columns each: the rows in which some may
  * be inside all edges, from the lowest row of the box on. */
 struct strip_rows {
     int32_t begin[TOGETHER], end[TOGETHER];
@@ -91,7 +91,7 @@ LANES_INLINE struct strip_rows rows_of_strips(const struct box_edges *e, int row
 
 /* ---- Cover: which piece is nearest at each pixel ---- */
 
-/* What is done besides. */
+/* What else is done. */
 struct cover_how {
     bool reordered; /* the nearest calls are covered first */
     bool counts;    /* depth tests */
@@ -186,7 +186,7 @@ LANES_INLINE void cover_strip(const struct call_band *band, const struct box *bo
     touch(band, x, rows);
 }
 
-/* Its strips, one beside the other. Of high ones, only the rows where something may be inside. */
+/* Its strips, from left to right. Of high ones, only the rows where something may be inside. */
 LANES_INLINE void cover_strips(const struct call_band *band, struct box *box, int left,
                                struct cover_how how) {
     int row_count = box->rows.end - box->rows.begin, bottom = box->rows.begin, x = left;

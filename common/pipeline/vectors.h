@@ -1,5 +1,5 @@
 /*
- * Private to the pipeline: numbers of several things at once, besides those of lanes.h.
+ * Private to the pipeline: several numbers at once, further to those of lanes.h.
  *
  *     lanes, lanes_int, lanes_texel    LANES pixels or faces (lanes.h); here: which bits of a mask
  *                                      are set, texels by their index, least and most

@@ -12,7 +12,7 @@ enum { REPEAT_LIMIT = 1000000, HELP_COLUMN = 17 };
 /* Reads the value (NULL for an option without one) into the option's field. */
 typedef bool parse_function(const struct program *program, const char *value, void *field);
 
-/* ---- What stands behind an option ---- */
+/* ---- What an option means ---- */
 
 static bool parse_switch(const struct program *program, const char *value, void *field) {
     (void)program, (void)value;

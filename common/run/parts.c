@@ -77,7 +77,7 @@ static bool keep_picture(struct parts *parts, const struct picture *picture) {
 }
 
 /* The colour by which a picture is multiplied, as materials mean it. Not by a grey one: exporters
- * write 0.64, 0.8 and even 0 beside every picture, and mean nothing by it. */
+ * write 0.64, 0.8 and even 0 with every picture, and mean nothing by it. */
 static void find_tint(const float color[3], float tint[3]) {
     bool grey = color[0] == color[1] && color[1] == color[2];
     for (int i = 0; i < 3; i++) {

@@ -26,7 +26,7 @@ enum need {
     NEEDS_NORMAL_MAP = 16,
     NEEDS_SPECULAR = 32,
     NEEDS_DEPTH = 64, /* a depth buffer */
-    NEEDS_LINES = 128 /* lines besides the faces, and a model of lines alone will do */
+    NEEDS_LINES = 128 /* lines, too, and a model of lines alone will do */
 };
 
 /* A number of a scene that --set changes, within its range. A list of them ends with one that has

@@ -260,7 +260,7 @@ static double ear_height(double a, double b) {
     double back = ramp(-0.05, 0.0, a), upper = ramp(-0.02, 0.08, b);
     double rim = back > upper ? back : upper; /* where the helix runs */
     double h = (0.020 + 0.38 * (a + 0.085)) *
-               (1 - 0.45 * ramp(0.04, 0.16, b)); /* a plate that stands off behind */
+               (1 - 0.45 * ramp(0.04, 0.16, b)); /* a plate that sticks out behind */
     h += 0.017 * rim * ridge((inside - 0.010) / 0.016) * ramp(-0.14, -0.08, b); /* helix */
     h -= 0.016 * rim * ridge((inside - 0.028) / 0.014) * ramp(-0.10, -0.05, b); /* groove */
     h += 0.012 * back * ridge((inside - 0.048) / 0.018) * ramp(-0.11, -0.06, b);

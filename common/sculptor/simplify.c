@@ -186,7 +186,7 @@ static struct vec3 area_vector(const struct workshop *w, const struct grid_trian
     return vec3_cross(vec3_sub(place[t->corner[1]], a), vec3_sub(place[t->corner[2]], a));
 }
 
-/* Twice the area in the texture, in half grid cells. A pole stands midway over its two partners. */
+/* Twice the area in the texture, in half grid cells. A pole is midway over its two partners. */
 static int area_in_texture(const struct workshop *w, const struct grid_triangle *t) {
     int x[3], y[3];
     for (int k = 0; k < 3; k++) {

@@ -92,7 +92,7 @@ static struct vec3 askew(struct vec3 p) {
               (2 * p.y - p.x + 2 * p.z) / 3);
 }
 
-/* `ear` is how far the ear stands out at p, `cavity` how deep p lies. */
+/* `ear` is how far the ear sticks out at p, `cavity` how deep p lies. */
 static struct parts find_parts(struct vec3 p, double ear, double cavity) {
     struct parts parts = {.ear = ramp(0.002, 0.012, ear), .cavity = cavity};
     struct vec3 q = {fabs(p.x), p.y, p.z};

@@ -13,7 +13,7 @@ struct surface {
     int columns, rows;   /* steps; there is one more grid line than steps each way */
     struct vec3 *place;  /* (rows + 1) * (columns + 1) */
     struct vec3 *normal; /* the same, of length 1, outwards */
-    double *ear;         /* how far the ear stands out here */
+    double *ear;         /* how far the ear sticks out here */
     double *cavity;      /* -1..1: how deep the point lies among those around it */
 };
 

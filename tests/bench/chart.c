@@ -183,7 +183,7 @@ struct plot {
     struct axis error, time;
     double exact_x; /* the place for an error of 0 */
     bool has_scale, has_exact;
-    bool exact_apart; /* 0 is not on the scale, but in a place of its own at the left */
+    bool exact_apart; /* 0 is not on the scale, but in its own place at the left */
     double place_width;
     double top, bottom;
     const char *series[BENCH_SERIES_LIMIT];

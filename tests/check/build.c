@@ -15,7 +15,7 @@
 enum {
     GIVEN_SECONDS = 600,      /* for what is built before the steps */
     COMPILER_GIGABYTES = 2,   /* memory of each process that builds a step */
-    COMPILER_ROOM = 64000000, /* bytes on the disk that it may need besides */
+    COMPILER_ROOM = 64000000, /* bytes on the disk that it may also need */
     NOT_FOUND_STATUS = 127    /* of a shell that does not find the command */
 };
 
@@ -38,7 +38,7 @@ bool build_lock(const struct options *options, struct error *error) {
     return true; /* also where the file system knows no locks */
 }
 
-/* Does the part stand in the line, which may have others after it? */
+/* Is the part in the line, which may have others after it? */
 static bool line_contains(const char *line, const char *part) {
     const char *found = strstr(line, part);
     return found != NULL && found < line + strcspn(line, "\n");
@@ -73,7 +73,7 @@ static struct message_line first_error(const char *output) {
         while ((mark = strstr(mark, marks[i])) != NULL) {
             const char *line = message_line_start(output, mark);
             /* A linker's own "error:" only says that it has failed. So does make's "***" of a
-             * command; why, stands before it. */
+             * command; why, is said before it. */
             if (line_contains(line, "] Error ") && line > output) {
                 return drawn_message(message_line_start(output, line - 1));
             }
@@ -191,7 +191,7 @@ bool build_given(const struct options *options, struct error *error) {
     return done;
 }
 
-/* Those of a compiler, behind a line's or a column's number: make has warnings of its own. */
+/* Those of a compiler, behind a line's or a column's number: make has its own warnings. */
 static void find_warnings(struct build_result *result) {
     static const char mark[] = ": warning: ";
     const char *output = (const char *)result->messages.data;

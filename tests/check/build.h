@@ -17,7 +17,7 @@
  * message, when the directory cannot be written. */
 bool build_lock(const struct options *options, struct error *error);
 
-/* Build what the steps stand on: the library, the models. False, with a message, when that
+/* Build what the steps need: the library, the models. False, with a message, when that
  * fails. */
 bool build_given(const struct options *options, struct error *error);
 

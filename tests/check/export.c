@@ -126,7 +126,7 @@ bool export_junit(struct bytes *report, const struct check_result *result, struc
 
 /* ---- JSON ---- */
 
-/* A member of text, where there is something to say; before its name stands what separates it. */
+/* A member of text, where there is something to say; before its name is what separates it. */
 static void json_text(struct writer *writer, const char *before, const char *name,
                       const char *text) {
     if (text[0] != '\0') {

@@ -30,7 +30,7 @@
 enum {
     TIMEOUT_LIMIT = 3, /* times that a step's program is waited for in vain; then only shortly */
     SOURCE_LIMIT = 1 << 20, /* bytes of main.c */
-    FILE_EXTRA = 8192       /* bytes on the disk of a picture's file, besides its pixels */
+    FILE_EXTRA = 8192       /* bytes on the disk of a picture's file, around its pixels */
 };
 
 /* What is known of a step before its program runs, which could change files. */

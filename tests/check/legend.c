@@ -71,7 +71,7 @@ static void write_words(struct image *image, size_t x, size_t y, const char *wor
     }
 }
 
-/* How many explanations stand beside each other in a picture of that width. */
+/* How many explanations are side by side in a picture of that width. */
 static size_t explanation_columns(size_t width) {
     size_t columns = width / WORDS_WIDTH;
     return columns < 1 ? 1 : columns > EXPLANATIONS ? EXPLANATIONS : columns;

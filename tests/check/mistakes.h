@@ -12,7 +12,7 @@
  * A sign is what a scene shows. Where the picture is wrong, SCENE:ROW:APART: the row of its colours
  * in SCENE.png (looks.h; 0: nothing can be told from them), and how many pixels are apart
  * (compare.h). Where only the work is wrong, or nothing is drawn, SCENE:PICTURES:COUNTERS
- * (counters.h). A scene that it leaves right has none. One line stands for what is there when
+ * (counters.h). A scene that it leaves right has none. One line is for what is there when
  * nothing is drawn, MISTAKE_STARTER.
  */
 #ifndef TESTS_CHECK_MISTAKES_H

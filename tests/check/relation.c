@@ -78,7 +78,7 @@ static bool take_part(struct image *part, const struct image *image, size_t x, s
     return true;
 }
 
-/* Halved, an edge may lie a pixel beside: there only what has no match next to it counts. */
+/* Halved, an edge may be a pixel off: there only what has no match next to it counts. */
 static bool compare(struct relation_result *result, enum relation relation,
                     const struct image *first, const struct image *second, struct error *error) {
     const struct variant *variant = &table[relation].variant;

@@ -174,7 +174,7 @@ static void test_difference_of_what_counts(void) {
         {COMPARE_APART, "rbrg."},
         {COMPARE_DIFFERING, "rbrr."},
     };
-    /* a line that lies a column too far to the left, another colour that stands beside, a level */
+    /* a line that lies a column too far to the left, another colour next to it, a level */
     static const uint8_t wanted[] = {0, 200, 100, 90, 60}, got[] = {200, 0, 90, 91, 60};
     struct image a = make(40, 1, IMAGE_BGR), b = make(40, 1, IMAGE_BGR), difference;
     struct error error;
@@ -220,7 +220,7 @@ static size_t count_white(const struct image *image, int x, int y, int width, in
     return white;
 }
 
-/* Panels of 100 pixels are enlarged 4 times; words stand above each and below all of them. */
+/* Panels of 100 pixels are enlarged 4 times; words are above each and below all of them. */
 static void test_legend(void) {
     struct image a = make(100, 110, IMAGE_BGR), b = make(90, 120, IMAGE_BGR), picture;
     struct error error;

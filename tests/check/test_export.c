@@ -139,7 +139,7 @@ static void test_counters(void) {
     bytes_free(&f.step.messages);
 }
 
-/* How often does a text stand in another? (Not by strstr(), which the sanitizers make slow.) */
+/* How often is a text in another? (Not by strstr(), which the sanitizers make slow.) */
 static size_t count_of(const char *text, const char *wanted) {
     size_t count = 0, length = strlen(wanted);
     for (; *text != '\0'; text++) {

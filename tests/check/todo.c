@@ -24,7 +24,7 @@ static bool line_has(const char *line, size_t length, const char *part) {
     return find_in_line(line, length, part) != NULL;
 }
 
-/* Behind a "//" in the line stands "to do" with that number, and not a longer one. */
+/* Behind a "//" in the line is "to do" with that number, and not a longer one. */
 static bool line_has_task(const char *line, size_t length, const char *task) {
     static const char words[] = "to do ";
     const char *end = line + length, *comment = find_in_line(line, length, "//");

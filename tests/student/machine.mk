@@ -25,8 +25,8 @@ override TMPDIR := /tmp
 export TMPDIR
 endif
 # Windows itself draws the pictures. It has no fork() and no signals, which the check needs, calls
-# directories otherwise than the shell of MSYS2, converts to float in its isfinite(), and has a printf()
-# of its own without %zu.
+# directories otherwise than the shell of MSYS2, converts to float in its isfinite(), and has its own
+# printf() without %zu.
 ifneq ($(filter windows,$(MISSING)),)
 POSIX := $(filter-out all programs models new $(patsubst %/.new,%,$(wildcard */.new)) $(STEPS) \
              $(BUILD)/%,$(MAKECMDGOALS))

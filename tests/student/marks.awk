@@ -7,7 +7,7 @@
 #     END SOLUTION */
 #
 # In a lesson of several parts the number names the part, too: 8b.2 is the second task of part b.
-# Where the starter has nothing in its place, /* END SOLUTION */ follows the solution. Marks stand
+# Where the starter has nothing in its place, /* END SOLUTION */ follows the solution. Marks are
 # alone on their lines. A task may have several such regions. What clang-format lines up (includes,
 # comments behind fields) is in a region as a whole, or all of it outside.
 #
@@ -71,7 +71,7 @@ function keep(line) {
 
 BEGIN {
     part = "what is given"
-    # Where each mark may stand, and what follows it.
+    # Where each mark may be, and what follows it.
     place["begin"] = "what is given";      after["begin"] = "a solution"
     place["starter"] = "a solution";       after["starter"] = "a starter"
     place["end"] = "a solution";           after["end"] = "what is given"

@@ -348,7 +348,7 @@ static bool begins_with(const char *text, const char *beginning) {
     return strncmp(text, beginning, strlen(beginning)) == 0;
 }
 
-/* screen and tmux stand between the program and the terminal, and let no picture through; a console
+/* screen and tmux are between the program and the terminal, and let no picture through; a console
  * may show the question. */
 static bool is_known_to_have_none(const char *name) {
     return begins_with(name, "screen") || begins_with(name, "tmux") || strcmp(name, "linux") == 0 ||

@@ -165,7 +165,7 @@ static void test_kitty(void) {
 
 /* ---- What the terminal says ---- */
 
-/* In a session of its own, on that terminal: the kind that is found, or 99 where the terminal is
+/* In its own session, on that terminal: the kind that is found, or 99 where the terminal is
  * not as it was before. */
 static void be_asked(const char *path, const char *term) {
     struct termios before, after;

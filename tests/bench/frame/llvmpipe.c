@@ -129,7 +129,7 @@ static void gl_use_conventions(void) {
     glDepthFunc(GL_GREATER);
 }
 
-/* In perspective the course's z/w grows with 1/w, so 1/w may stand for it: NEAR_W / w is 0..1 and
+/* In perspective the course's z/w grows with 1/w, so 1/w may replace it: NEAR_W / w is 0..1 and
  * keeps a float's precision at all distances. Here NEAR_W is where the course cuts. */
 #define NEAR_W (1.0 / 128)
 

@@ -1,4 +1,4 @@
-/* The course's side: see ours.h. All that knows the pipeline stands here. */
+/* The course's side: see ours.h. Everything that knows the pipeline is here. */
 #include "ours.h"
 
 #include <string.h>

@@ -89,7 +89,7 @@ static void make_nested(struct scene *scene, const struct model *ball) {
     }
 }
 
-/* Seen from above the first row; as many stand beside the view and behind the eye. */
+/* Seen from above the first row; as many are outside the view and behind the eye. */
 static void make_crowd(struct scene *scene, const struct model *head) {
     begin_scene(scene, "a crowd of 400 heads", (struct vec3){0, 0.5, 3});
     for (int i = 0; i < 400; i++) {

@@ -25,7 +25,7 @@ static char *printable_lines(const char *text) {
     return copy;
 }
 
-/* What stands for a character that means something there, or NULL. */
+/* What is written for a character that means something there, or NULL. */
 typedef const char *entity_function(char character);
 
 static const char *entity_of(char character) {

@@ -1,6 +1,6 @@
 /*
  * The small programs that fail, each in its own way, as one source: which of them it is, its name
- * says. What a compiler or a sanitizer finds fault with has a file of its own beside this one.
+ * says. What a compiler or a sanitizer finds fault with has its own file next to this one.
  */
 #define _POSIX_C_SOURCE 200809L
 

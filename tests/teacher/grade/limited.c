@@ -5,7 +5,7 @@
  *     limited SECONDS DISK_MB DIRECTORY OUTPUT COMMAND ARGUMENT...
  *
  * The command runs in DIRECTORY, where its files may take DISK_MB together (0: not counted); all
- * that it prints goes to OUTPUT, a new file. It has a session of its own, no terminal, no input.
+ * that it prints goes to OUTPUT, a new file. It has its own session, no terminal, no input.
  *
  * Exit status: the command's; 124 it was stopped after SECONDS; 125 it was stopped for using too
  * much, or could not be started, and a line says why; 137 it was killed.

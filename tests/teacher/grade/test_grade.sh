@@ -125,7 +125,7 @@ rm -f "$work/bin/sim_c"
 PATH=$work/bin sh tests/teacher/grade/merge.sh build ../out >"$work/said" || wrong "grade fails without sim_c"
 grep -q 'apt-get install similarity-tester' ../out/index.html || wrong "does not say what to install"
 
-# A copy has other names and comments, its functions in another order, lines of its own, and a
+# A copy has other names and comments, its functions in another order, some new lines, and a
 # header; other programs and two starters are none. Nobody can stop the comparison.
 mkdir ../alike && cp -R ../out/submissions ../alike || exit 1
 # sources NAME: main.c is standard input.
@@ -204,7 +204,7 @@ cat >../class/kills/step01_line/main.c <<'END'
 int main(void) {
     char path[64];
     int check = 0;
-    snprintf(path, sizeof path, "/proc/%d/stat", (int)getppid()); /* who stands between */
+    snprintf(path, sizeof path, "/proc/%d/stat", (int)getppid()); /* who is between */
     FILE *file = fopen(path, "r");
     return file == NULL || fscanf(file, "%*d %*s %*c %d", &check) != 1 || kill(check, SIGKILL);
 }

@@ -20,7 +20,7 @@ begin_out() {
         fail 1 "cannot write next to $out"
 }
 
-# make_room FILE: for that file of the directory. (Without a process of its own, where there is.)
+# make_room FILE: for that file of the directory. (Without its own process, where there is.)
 make_room() {
     case $1 in
     */*) [ -d "$new/${1%/*}" ] || mkdir -p "$new/${1%/*}" ;;

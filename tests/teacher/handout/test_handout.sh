@@ -1,5 +1,5 @@
 #!/bin/sh
-# Is what is handed out a course of its own, and without solutions? Hands out two lessons: the same
+# Is what is handed out a whole course, and without solutions? Hands out two lessons: the same
 # bytes twice; no mark, no mistake, nothing of what the next lessons teach; no link that
 # leads nowhere. Each lesson alone: its solution compiles there. Then all of them, on a machine that
 # has little more than gcc and make: `make` builds and draws every starter without a warning, and
@@ -40,7 +40,7 @@ mkdir -p tests/unit tests/upkeep/texts && cp "$top/tests/upkeep/texts/test_links
     cp "$top/tests/unit/script.sh" tests/unit
 sh tests/upkeep/texts/test_links.sh >"$work/log" 2>&1 || wrong "$(cat "$work/log")"
 
-# The first lesson stands on nothing that it teaches.
+# The first lesson needs nothing that it teaches.
 cd "$top" || exit 1
 hand_out "$work/one" 1 && cd "$work/one" || wrong "LESSONS=1 fails: $(cat "$work/log")"
 grep -q 'line_begin' common/*.h common/*.c && wrong "the line of lesson 1 is handed out with it"

@@ -174,7 +174,7 @@ if sys.argv[3] == "nothing":
     assert result["output"] == "There is no step05_zbuffer/main.c in the submission.\n"
 END
     cp "$AUTOGRADER/source/course/tests/student/starters/step05_zbuffer.c" \
-        "$AUTOGRADER/source/course/step05_zbuffer/main.c" # each has a container of its own
+        "$AUTOGRADER/source/course/step05_zbuffer/main.c" # each has its own container
 }
 for name in solution broken; do
     rm -rf "$AUTOGRADER/submission" && cp -R "$work/$name" "$AUTOGRADER/submission"

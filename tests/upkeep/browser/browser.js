@@ -32,7 +32,7 @@ before(async () => {
 });
 after(() => browser.close());
 
-/* A test in a window of its own, in which the page complains of nothing and loads nothing. */
+/* A test in its own window, in which the page complains of nothing and loads nothing. */
 function on(file, window, name, judge) {
     test(name, async () => {
         page = await browser.newPage(window);

@@ -73,7 +73,7 @@ judge_pages() {
         node --test tests/upkeep/browser/browser.js && judge_live
 }
 
-# A course of its own, because lessons are broken and mended in it.
+# Its own course, because lessons are broken and mended in it.
 judge_live() {
     cp -R Makefile README.md common step* tests "$work/live" 2>/dev/null ||
         { mkdir "$work/live" && cp -R Makefile README.md common step* tests "$work/live"; } &&

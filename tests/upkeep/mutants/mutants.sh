@@ -1,6 +1,6 @@
 #!/bin/sh
 # Do the tests notice small changes of the code? Makes a random sample of changes (mutate.c), each
-# in a directory of its own, and runs the tests that link what changed until one fails.
+# in its own directory, and runs the tests that link what changed until one fails.
 #
 #   mutants.sh BUILD COUNT SEED [FILE...]     in the course's directory, which stays as it is
 #
@@ -197,7 +197,7 @@ compile_library() { # NUMBER SOURCE
     compile "$base" "$2" || echo "$2 does not compile" >>"$work/failed"
 }
 
-# What equivalent.txt explains, as it stands in the list of changes.
+# What equivalent.txt explains, as it is in the list of changes.
 known() {
     awk '/^symmetric / { sub(/:.*/, ""); for (i = 2; i <= NF; i++) { print "swapped\t" $i "\t" } }
         /^[a-z].*:/ { file = $0; sub(/:.*/, "", file) }

@@ -138,7 +138,7 @@ static void list_change(int token, const char *name, const char *function, int e
            function, path, before, after);
 }
 
-/* Put something in place of a token and all others before `behind`, with as many lines. */
+/* Put something instead of a token and all others before `behind`, with as many lines. */
 static void change(int token, int behind, const char *name, const char *function,
                    const char *format, ...) {
     static char replacement[SOURCE_LIMIT];

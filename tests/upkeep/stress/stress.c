@@ -29,7 +29,7 @@ struct outcome {
     struct tally tally; /* of all cases */
 };
 
-/* A seed of its own for every case. */
+/* Every case has its own seed. */
 static struct random case_random(uint64_t seed, const char *name, uint64_t index) {
     struct random random = {seed};
     for (const char *c = name; *c != '\0'; c++) {

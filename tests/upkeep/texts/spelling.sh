@@ -13,7 +13,7 @@ if ! hunspell -D </dev/null 2>&1 | grep -q en_GB; then
     exit 2
 fi
 
-# words_of FILE: its prose. A drawing's is what stands between <text> and </text>.
+# words_of FILE: its prose. A drawing's is what is between <text> and </text>.
 words_of() {
     case $1 in
     *.svg) sed -n 's/.*<\(text\|tspan\|title\)[^>]*>\([^<]*\)<.*/\2/p' "$1" ;;

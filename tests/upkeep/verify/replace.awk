@@ -5,7 +5,7 @@
 #   - a.x * b.x + a.y * b.y
 #   + a.x * b.x - a.y * b.y
 #
-# The text after `- ` stands exactly once in the file (in several lines, each after `- `); that
+# The text after `- ` is in the file exactly once (in several lines, each after `- `); that
 # after `+ ` takes its place, and `+` alone leaves nothing. Another `- ` after that begins another
 # replacement.
 #

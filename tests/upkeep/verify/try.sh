@@ -82,7 +82,7 @@ judge_looks() {
     esac
 }
 
-# The mistake whose picture stands in the lesson's table of wrong pictures still draws that one.
+# The mistake whose picture is in the lesson's table of wrong pictures still draws that one.
 judge_figure() {
     kept=$lesson/figures/wrong_$(printf %02d "$figure").png
     "$build/figure_make" "tests/reference/$lesson/$scene.png" \

@@ -1,4 +1,4 @@
-/* What is to do in the main.c of the one in ../wrong.c: what stands within marks does not count. */
+/* What is to do in the main.c of the one in ../wrong.c: what is within marks does not count. */
 int main(void) {
     int a = 0; // to do 34.1: nothing, since its picture is right
     /* BEGIN SOLUTION 34.2 marked */
