@@ -389,6 +389,7 @@ static bool draw_needs(struct drawing *drawing, struct image *image, struct erro
     }
     CHECK(drawing->diffuse == NULL || drawing->diffuse->level[0].texels[0] == UINT32_MAX);
     CHECK(drawing->model->normal_count == (image->width == 2 ? 3 : 0)); /* "normals" alone */
+    CHECK(drawing->model->uv_count == 0 || drawing->diffuse != NULL);
     draw_calls++;
     last_drawing = *drawing;
     return true;
@@ -423,6 +424,7 @@ static void test_needs(void) {
     CHECK(run(&needs_program, "-o out --only depth --repeat 3 bare.obj") == 0);
     CHECK(draw_calls == 3 && last_drawing.diffuse == NULL && last_drawing.normal_map == NULL);
     CHECK(run(&needs_program, "-o out --only normals bare.obj") == 0);
+    CHECK(run(&needs_program, "-o out --only depth mapped.obj") == 0);
     CHECK(run(&needs_program, "-o out --only diffuse bare.obj") == 0);  /* no places in a picture */
     CHECK(run(&needs_program, "-o out --only plain missing.obj") == 0); /* no model, none read */
     CHECK(run(&needs_program, "-o out --only depth missing.obj") == 1);
