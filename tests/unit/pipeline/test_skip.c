@@ -315,7 +315,8 @@ static void test_askew(void) {
         clipped += stats[STAT_FACES_CLIPPED];
         outside += stats[STAT_CALLS_OUTSIDE];
     }
-    CHECK(hidden > 1500 && clipped > 600 && outside > 12000);
+    CHECK(hidden > 1500 && clipped > 600);
+    CHECK(outside >= 12435); /* all that are found: a side less makes it 12424 or fewer */
     trial_end(&trial);
 }
 
