@@ -21,6 +21,9 @@ INLINED struct vec2 plane_uv(const struct quotients *plane, int x, int y, double
 #define LESSON "../step06_texture/main.c"
 #include "lesson.h"
 
+typedef struct color attempt_sampler(const struct texture *texture, struct vec2 uv);
+INLINED void attempt_perspective(struct image *image, const struct vertex v[3],
+                                 const struct texture *texture, attempt_sampler *sampler);
 #include "../../../step06_texture/attempts.h"
 
 #include "oracle/oracle.h"
@@ -47,28 +50,8 @@ struct work {
 
 /* ---- Triangles ---- */
 
-/* The colour at a place. */
-typedef struct color sampler(const struct texture *texture, struct vec2 uv);
-
 typedef void draw_function(struct image *image, const struct vertex v[3],
                            const struct texture *texture);
-
-/* perspective_triangle() of main.c with any sampler: a constant where this is used. */
-INLINED void draw_sampled(struct image *image, const struct vertex v[3],
-                          const struct texture *texture, sampler *sample) {
-    struct quotients plane;
-    if (!plane_begin(&plane, image, v)) {
-        return;
-    }
-    for (int y = plane.edges.y_begin; y < plane.edges.y_end; y++) {
-        struct span span = edges_span(&plane.edges, y);
-        for (int x = span.begin; x < span.end; x++) {
-            double w;
-            struct vec2 uv = plane_uv(&plane, x, y, &w);
-            image_set(image, x, y, sample(texture, uv));
-        }
-    }
-}
 
 /* The other versions of perspective show the nearest texel: a cheap sampler hides no time. */
 static inline void set_nearest(struct image *image, int x, int y, const struct texture *texture,
@@ -159,18 +142,14 @@ static void draw_house(struct image *image, const struct vertex v[3],
     perspective_triangle(&canvas, v, texture);
 }
 
-#define DRAW(name, draw, constant)                                                                 \
+#define DRAW_EVERY(name, step)                                                                     \
     static void name(struct image *image, const struct vertex v[3],                                \
                      const struct texture *texture) {                                              \
-        draw(image, v, texture, constant);                                                         \
+        draw_every(image, v, texture, step);                                                       \
     }
-DRAW(draw_rounding, draw_sampled, attempt_sample_rounded)
-DRAW(draw_nearest, draw_sampled, sample_nearest)
-DRAW(draw_half_off, draw_sampled, attempt_sample_unshifted)
-DRAW(draw_bilinear, draw_sampled, attempt_sample_bilinear)
-DRAW(draw_every_1, draw_every, 1)
-DRAW(draw_every_8, draw_every, 8)
-DRAW(draw_every_16, draw_every, 16)
+DRAW_EVERY(draw_every_1, 1)
+DRAW_EVERY(draw_every_8, 8)
+DRAW_EVERY(draw_every_16, 16)
 
 enum {
     ROUNDING,
@@ -186,9 +165,15 @@ enum {
 };
 
 static draw_function *const draws[] = {
-    [ROUNDING] = draw_rounding, [NEAREST] = draw_nearest,   [HALF_OFF] = draw_half_off,
-    [BILINEAR] = draw_bilinear, [HOUSE] = draw_house,       [EVERY_1] = draw_every_1,
-    [EVERY_8] = draw_every_8,   [EVERY_16] = draw_every_16, [AFFINE] = draw_affine,
+    [ROUNDING] = attempt_1_rounded,
+    [NEAREST] = attempt_2_nearest,
+    [HALF_OFF] = attempt_3_unshifted,
+    [BILINEAR] = attempt_4_no_levels,
+    [HOUSE] = draw_house,
+    [EVERY_1] = draw_every_1,
+    [EVERY_8] = draw_every_8,
+    [EVERY_16] = draw_every_16,
+    [AFFINE] = draw_affine,
 };
 
 static void draw_target(struct target *target, int choice) {
