@@ -28,8 +28,6 @@ INLINED void attempt_perspective(struct image *image, const struct vertex v[3],
 
 #include "oracle/oracle.h"
 
-#include <stdlib.h>
-
 enum { HILL_SIDE = 512, HILL_TEXELS = 16, HILL_SAMPLES = 16 }; /* 16 * 16 samples a pixel */
 enum { FAR_SIDE = 400, FAR_RAYS = 32, TILES_SIDE = 800 };
 
@@ -39,14 +37,12 @@ struct target {
     struct vertex corners[4];
     struct texture texture;
     struct vec3 *exact; /* red, green, blue of each pixel; red is negative where there is none */
-    double pixels;      /* that are drawn */
+    size_t pixels;      /* that are drawn */
 };
 
 enum { HILL, FAR, TILES, TARGETS };
 
-struct work {
-    struct target targets[TARGETS];
-};
+static struct target targets[TARGETS];
 
 /* ---- Triangles ---- */
 
@@ -224,17 +220,8 @@ static struct color hill_texel(int x, int y) {
 /* ---- Setting up ---- */
 
 static bool target_create(struct target *target, size_t side, struct error *error) {
-    target->exact = malloc(side * side * sizeof *target->exact);
-    if (target->exact == NULL) {
-        return error_out_of_memory(error);
-    }
+    target->exact = bench_memory(side * side, sizeof *target->exact);
     return image_create(&target->image, side, side, IMAGE_BGR, error);
-}
-
-static void target_free(struct target *target) {
-    image_free(&target->image);
-    texture_free(&target->texture);
-    free(target->exact);
 }
 
 static bool make_hill(struct target *hill, struct error *error) {
@@ -251,7 +238,7 @@ static bool make_hill(struct target *hill, struct error *error) {
     for (size_t i = 0; i < (size_t)HILL_SIDE * HILL_SIDE; i++) {
         hill->exact[i] = hill_mean(i % HILL_SIDE, i / HILL_SIDE, HILL_SIDE);
     }
-    hill->pixels = (double)HILL_SIDE * HILL_SIDE;
+    hill->pixels = (size_t)HILL_SIDE * HILL_SIDE;
     return true;
 }
 
@@ -324,31 +311,19 @@ static bool make_tiles(struct target *tiles, struct error *error) {
     return true;
 }
 
-static bool setup(void *state, struct error *error) {
-    struct target *targets = ((struct work *)state)->targets;
+static bool setup(struct error *error) {
     return make_hill(&targets[HILL], error) && make_far(&targets[FAR], error) &&
            make_tiles(&targets[TILES], error);
 }
 
-static void teardown(void *state) {
-    struct work *work = state;
-    for (int i = 0; i < TARGETS; i++) {
-        target_free(&work->targets[i]);
-    }
-}
-
 /* ---- The panels ---- */
 
-static void run(void *state, int choice) {
-    draw_target(&((struct work *)state)->targets[choice / WAYS], choice % WAYS);
+static void run(int choice) {
+    draw_target(&targets[choice / WAYS], choice % WAYS);
 }
 
-static double error_of(void *state, int choice) {
-    return target_error(&((const struct work *)state)->targets[choice / WAYS]);
-}
-
-static double units(const void *state, int base) {
-    return ((const struct work *)state)->targets[base / WAYS].pixels;
+static double error_of(int choice) {
+    return target_error(&targets[choice / WAYS]);
 }
 
 static const struct bench_version near_versions[] = {
@@ -383,7 +358,7 @@ static const struct bench_panel bench_panels[] = {
      .base = HILL * WAYS,
      .run = run,
      .error = error_of,
-     .units = units,
+     .units = &targets[HILL].pixels,
      BENCH_VERSIONS(near_versions)},
     {.title = "Far: tiles towards the horizon, 400x400 pixels",
      .error_label = "levels, root mean square",
@@ -392,7 +367,7 @@ static const struct bench_panel bench_panels[] = {
      .base = FAR * WAYS,
      .run = run,
      .error = error_of,
-     .units = units,
+     .units = &targets[FAR].pixels,
      BENCH_VERSIONS(far_versions),
      .budget = 2},
     {.title = "Perspective: divided how often? The tiles, nearest texel, 800x800",
@@ -402,7 +377,7 @@ static const struct bench_panel bench_panels[] = {
      .base = TILES * WAYS,
      .run = run,
      .error = error_of,
-     .units = units,
+     .units = &targets[TILES].pixels,
      BENCH_VERSIONS(perspective_versions),
      .budget = 2,
      .series = perspective_series,
@@ -410,4 +385,4 @@ static const struct bench_panel bench_panels[] = {
 };
 
 const struct bench_lesson bench_step06 =
-    BENCH_LESSON("step06_texture", "Step 6: textures", struct work, setup, teardown, bench_panels);
+    BENCH_LESSON("step06_texture", "Step 6: textures", setup, bench_panels);
