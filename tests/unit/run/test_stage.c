@@ -26,7 +26,8 @@ static void stage_once(struct run *run, unsigned needs) {
 static void test_only_what_is_needed(void) {
     uint64_t model_size = file_size(default_model_path);
     CHECK(model_size > 0);
-    struct run run = {.program = &program};
+    const struct options none = {.input = NULL};
+    struct run run = {.program = &program, .options = &none, .asked = &none};
     stage_once(&run, NEEDS_MODEL);
     CHECK(run.model.uv_count == 0 && run.model.normal_count == 0 && run.model.face_count > 0);
     CHECK(run_loaded(&run).bytes == model_size && run_loaded(&run).textures_read == 0);
