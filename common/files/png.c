@@ -20,9 +20,11 @@ enum {
     CHUNK_OVERHEAD = 12,      /* bytes of a chunk around its data */
     CHUNK_LIMIT = 0x7fffffff, /* bytes of data of a chunk */
     HEADER_SIZE = 13,         /* of IHDR */
-    PIXEL_LIMIT = 4,          /* bytes of a pixel */
+    FRAME_NUMBER_SIZE = 4,    /* of fdAT, before its pixels */
+    PIXEL_LIMIT = 8,          /* bytes of a pixel */
     PIXELS_OF_ANY = 1 << 24,  /* pixels that any file may have, however small it is */
-    PALETTE_LIMIT = 256
+    PALETTE_LIMIT = 256,
+    PASSES = 8
 };
 
 /* Row filters, as in the file. */
@@ -109,32 +111,41 @@ static inline uint8_t paeth(uint8_t a, uint8_t b, uint8_t c) {
     return (uint8_t)(place <= low ? high : low_or_c);
 }
 
-static void filter_row(unsigned filter, const uint8_t *row, const uint8_t *above, size_t size,
-                       size_t step, uint8_t *restrict out) {
+/* What a filter expects in place of a byte. */
+static inline uint8_t predict(const unsigned filter, uint8_t a, uint8_t b, uint8_t c) {
+    return filter == FILTER_NONE      ? 0
+           : filter == FILTER_SUB     ? a
+           : filter == FILTER_UP      ? b
+           : filter == FILTER_AVERAGE ? (uint8_t)((a + b) / 2)
+                                      : paeth(a, b, c);
+}
+
+/* A loop for each filter, which is a constant where this is called. */
+static inline void filter_row_by(const unsigned filter, const uint8_t *row, const uint8_t *above,
+                                 size_t size, size_t step, uint8_t *restrict out) {
     const uint8_t *left = row - step, *corner = above - step;
+    for (size_t i = 0; i < size; i++) {
+        out[i] = (uint8_t)(row[i] - predict(filter, left[i], above[i], corner[i]));
+    }
+}
+
+static void filter_row(unsigned filter, const uint8_t *row, const uint8_t *above, size_t size,
+                       size_t step, uint8_t *out) {
     switch (filter) {
     case FILTER_NONE:
-        memcpy(out, row, size);
+        filter_row_by(FILTER_NONE, row, above, size, step, out);
         break;
     case FILTER_SUB:
-        for (size_t i = 0; i < size; i++) {
-            out[i] = (uint8_t)(row[i] - left[i]);
-        }
+        filter_row_by(FILTER_SUB, row, above, size, step, out);
         break;
     case FILTER_UP:
-        for (size_t i = 0; i < size; i++) {
-            out[i] = (uint8_t)(row[i] - above[i]);
-        }
+        filter_row_by(FILTER_UP, row, above, size, step, out);
         break;
     case FILTER_AVERAGE:
-        for (size_t i = 0; i < size; i++) {
-            out[i] = (uint8_t)(row[i] - (left[i] + above[i]) / 2);
-        }
+        filter_row_by(FILTER_AVERAGE, row, above, size, step, out);
         break;
     default:
-        for (size_t i = 0; i < size; i++) {
-            out[i] = (uint8_t)(row[i] - paeth(left[i], above[i], corner[i]));
-        }
+        filter_row_by(FILTER_PAETH, row, above, size, step, out);
         break;
     }
 }
@@ -142,10 +153,7 @@ static void filter_row(unsigned filter, const uint8_t *row, const uint8_t *above
 /* Undo the filter of a byte, whose left and corner neighbours then become those of the next one. */
 static inline void unfilter_byte(const unsigned filter, uint8_t *byte, uint8_t above, uint8_t *left,
                                  uint8_t *corner) {
-    unsigned predicted = filter == FILTER_SUB       ? *left
-                         : filter == FILTER_AVERAGE ? (*left + above) / 2u
-                                                    : paeth(*left, above, *corner);
-    *byte = (uint8_t)(*byte + predicted);
+    *byte = (uint8_t)(*byte + predict(filter, *left, above, *corner));
     *left = *byte;
     *corner = above;
 }
@@ -165,6 +173,9 @@ static inline void unfilter_pixels(const unsigned filter, uint8_t *restrict row,
         }
         if (step > 3) {
             unfilter_byte(filter, &row[i + 3], above[i + 3], &left[3], &corner[3]);
+        }
+        for (size_t k = 4; k < step; k++) { /* 16 bits a channel are rare */
+            unfilter_byte(filter, &row[i + k], above[i + k], &left[k], &corner[k]);
         }
     }
 }
@@ -194,19 +205,6 @@ static inline bool unfilter_row_of(unsigned filter, uint8_t *restrict row,
     }
 }
 
-/* The same for pixels of any size, which are rare. */
-static bool unfilter_large_pixels(unsigned filter, uint8_t *row, const uint8_t *above, size_t size,
-                                  size_t step) {
-    if (filter == FILTER_NONE || filter == FILTER_UP) {
-        return unfilter_row_of(filter, row, above, size, 1);
-    }
-    for (size_t i = 0; i < size; i++) {
-        uint8_t left = i < step ? 0 : row[i - step], corner = i < step ? 0 : above[i - step];
-        unfilter_byte(filter, &row[i], above[i], &left, &corner);
-    }
-    return filter < FILTER_COUNT;
-}
-
 static bool unfilter_row(unsigned filter, uint8_t *row, const uint8_t *above, size_t size,
                          size_t step) {
     switch (step) {
@@ -219,7 +217,7 @@ static bool unfilter_row(unsigned filter, uint8_t *row, const uint8_t *above, si
     case 4:
         return unfilter_row_of(filter, row, above, size, 4);
     default:
-        return unfilter_large_pixels(filter, row, above, size, step);
+        return unfilter_row_of(filter, row, above, size, step);
     }
 }
 
@@ -236,7 +234,7 @@ struct png {
     size_t width, height;
     unsigned depth; /* bits of a sample or a palette index */
     unsigned color_type;
-    bool interlaced;
+    size_t first_pass, end_pass;       /* of `passes` */
     uint8_t palette[PALETTE_LIMIT][4]; /* blue, green, red, alpha */
     size_t palette_size;
     bool has_alpha_chunk; /* a tRNS chunk */
@@ -333,7 +331,8 @@ static bool read_header(struct png *png, const struct chunk *chunk, struct error
     if (chunk->data[12] > 1) {
         return error_set(error, "a PNG with an unknown interlace method");
     }
-    png->interlaced = chunk->data[12] == 1;
+    png->first_pass = chunk->data[12];
+    png->end_pass = chunk->data[12] == 1 ? PASSES : 1;
     return check_depth(png, error);
 }
 
@@ -503,22 +502,14 @@ static bool copy_plain_pixels(const struct png *png, const uint8_t *row, uint8_t
 }
 
 /* Which pixels a part of the file holds: every so many, from the first, counted from the top left.
- * An interlaced file has seven parts (the specification's section 8.2), others one. */
+ * An interlaced file has all but the first of these parts (the specification's section 8.2), others
+ * the first alone. */
 struct pass {
     size_t x, y, x_step, y_step;
 };
 
-static const struct pass all_pixels = {0, 0, 1, 1};
-static const struct pass interlaced[] = {{0, 0, 8, 8}, {4, 0, 8, 8}, {0, 4, 4, 8}, {2, 0, 4, 4},
-                                         {0, 2, 2, 4}, {1, 0, 2, 2}, {0, 1, 1, 2}};
-
-static size_t pass_count(const struct png *png) {
-    return png->interlaced ? sizeof interlaced / sizeof interlaced[0] : 1;
-}
-
-static struct pass pass_at(const struct png *png, size_t i) {
-    return png->interlaced ? interlaced[i] : all_pixels;
-}
+static const struct pass passes[PASSES] = {{0, 0, 1, 1}, {0, 0, 8, 8}, {4, 0, 8, 8}, {0, 4, 4, 8},
+                                           {2, 0, 4, 4}, {0, 2, 2, 4}, {1, 0, 2, 2}, {0, 1, 1, 2}};
 
 /* Pixels in a row of the pass, and rows. */
 static size_t pass_width(const struct png *png, struct pass pass) {
@@ -536,8 +527,8 @@ static size_t row_bytes(const struct png *png, size_t width) {
 /* Bytes of all rows, each after the number of its filter. */
 static uint64_t raw_bytes(const struct png *png) {
     uint64_t sum = 0;
-    for (size_t i = 0; i < pass_count(png); i++) {
-        struct pass pass = pass_at(png, i);
+    for (size_t i = png->first_pass; i < png->end_pass; i++) {
+        struct pass pass = passes[i];
         size_t width = pass_width(png, pass);
         sum += width > 0 ? (uint64_t)pass_height(png, pass) * (1 + row_bytes(png, width)) : 0;
     }
@@ -572,8 +563,8 @@ static uint8_t *unpack_pass(const struct png *png, struct pass pass, uint8_t *ra
 
 static bool unpack_rows(const struct png *png, uint8_t *raw, const uint8_t *zeros,
                         struct image *image, struct error *error) {
-    for (size_t i = 0; raw != NULL && i < pass_count(png); i++) {
-        raw = unpack_pass(png, pass_at(png, i), raw, zeros, image, error);
+    for (size_t i = png->first_pass; raw != NULL && i < png->end_pass; i++) {
+        raw = unpack_pass(png, passes[i], raw, zeros, image, error);
     }
     return raw != NULL;
 }
@@ -727,6 +718,9 @@ static bool compress_pixels(const struct part *part, struct bytes *out, struct e
     }
     filter_rows(part, rows, rows + 2 * (PIXEL_LIMIT + size), raw);
     done = zlib_compress(raw, part->height * (1 + size), out, error);
+    if (done && out->size > CHUNK_LIMIT - FRAME_NUMBER_SIZE) {
+        done = error_set(error, "%zu bytes of pixels do not fit into a chunk", out->size);
+    }
 end:
     free(rows);
     free(raw);
@@ -737,17 +731,8 @@ static struct part whole(const struct image *image) {
     return (struct part){image, 0, 0, image->width, image->height};
 }
 
-/* The compressed pixels, in as many chunks as they take. */
 static bool append_pixels(struct bytes *out, const struct bytes *compressed) {
-    for (size_t done = 0; done < compressed->size;) {
-        size_t left = compressed->size - done;
-        size_t part = left < CHUNK_LIMIT ? left : CHUNK_LIMIT;
-        if (!append_chunk(out, "IDAT", NULL, 0, compressed->data + done, part)) {
-            return false;
-        }
-        done += part;
-    }
-    return true;
+    return append_chunk(out, "IDAT", NULL, 0, compressed->data, compressed->size);
 }
 
 static bool append_end(struct bytes *out) {
@@ -826,18 +811,12 @@ static bool append_frame_control(struct bytes *out, uint32_t sequence, const str
 
 /* The compressed pixels of a frame: in IDAT for the first, whose fcTL has number 0, else in one
  * fdAT with the next number. */
-static bool append_frame_pixels(struct bytes *out, uint32_t sequence, const struct bytes *pixels,
-                                struct error *error) {
-    uint8_t number[4];
-    if (sequence == 0) {
-        return append_pixels(out, pixels) || error_out_of_memory(error);
-    }
-    if (pixels->size > CHUNK_LIMIT - sizeof number) {
-        return error_set(error, "a frame of %zu bytes does not fit into a chunk", pixels->size);
-    }
+static bool append_frame_pixels(struct bytes *out, uint32_t sequence, const struct bytes *pixels) {
+    uint8_t number[FRAME_NUMBER_SIZE];
     put_u32(number, sequence + 1);
-    return append_chunk(out, "fdAT", number, sizeof number, pixels->data, pixels->size) ||
-           error_out_of_memory(error);
+    return sequence == 0
+               ? append_pixels(out, pixels)
+               : append_chunk(out, "fdAT", number, sizeof number, pixels->data, pixels->size);
 }
 
 /* Frame `index` as fcTL and pixels. The chunks before it took the sequence numbers 0, 1, 3, 5... */
@@ -847,27 +826,12 @@ static bool append_frame(const struct image *frames, size_t index, unsigned dela
     struct part part = index == 0 ? whole(frame) : changed_part(&frames[index - 1], frame);
     uint32_t sequence = index == 0 ? 0 : (uint32_t)(2 * index - 1);
     struct bytes pixels = {0};
-    bool done =
-        compress_pixels(&part, &pixels, error) &&
-        (append_frame_control(out, sequence, &part, delay_ms) || error_out_of_memory(error)) &&
-        append_frame_pixels(out, sequence, &pixels, error);
+    bool done = compress_pixels(&part, &pixels, error) &&
+                ((append_frame_control(out, sequence, &part, delay_ms) &&
+                  append_frame_pixels(out, sequence, &pixels)) ||
+                 error_out_of_memory(error));
     bytes_free(&pixels);
     return done;
-}
-
-static bool check_frames(const struct image *frames, size_t count, unsigned delay_ms,
-                         struct error *error) {
-    enum { FRAME_LIMIT = 1 << 30 }; /* sequence numbers stay below 2^31 */
-    if (count < 1 || count > FRAME_LIMIT || delay_ms < 1 || delay_ms > 65535) {
-        return error_set(error, "an animation cannot have %zu frames of %u ms", count, delay_ms);
-    }
-    for (size_t i = 0; i < count; i++) {
-        if (frames[i].pixels == NULL || frames[i].width != frames[0].width ||
-            frames[i].height != frames[0].height || frames[i].format != frames[0].format) {
-            return error_set(error, "frame %zu of an animation is not like the first", i);
-        }
-    }
-    return true;
 }
 
 /* What comes before the first frame. */
@@ -879,8 +843,10 @@ static bool append_animation_head(struct bytes *out, const struct image *frame, 
 
 bool apng_encode(const struct image *frames, size_t count, unsigned delay_ms, struct bytes *out,
                  struct error *error) {
-    if (!check_frames(frames, count, delay_ms, error)) {
-        return false;
+    assert(count >= 1 && count < 1 << 30 && delay_ms >= 1 && delay_ms <= 65535);
+    for (size_t i = 0; i < count; i++) {
+        assert(frames[i].pixels != NULL && frames[i].width == frames[0].width &&
+               frames[i].height == frames[0].height && frames[i].format == frames[0].format);
     }
     size_t start = out->size;
     bool done = append_animation_head(out, &frames[0], count) || error_out_of_memory(error);
