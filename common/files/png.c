@@ -112,11 +112,11 @@ static inline uint8_t paeth(uint8_t a, uint8_t b, uint8_t c) {
 }
 
 /* What a filter expects in place of a byte. */
-static inline uint8_t predict(const unsigned filter, uint8_t a, uint8_t b, uint8_t c) {
+static inline int predict(const unsigned filter, uint8_t a, uint8_t b, uint8_t c) {
     return filter == FILTER_NONE      ? 0
            : filter == FILTER_SUB     ? a
            : filter == FILTER_UP      ? b
-           : filter == FILTER_AVERAGE ? (uint8_t)((a + b) / 2)
+           : filter == FILTER_AVERAGE ? (a + b) / 2
                                       : paeth(a, b, c);
 }
 
