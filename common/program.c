@@ -217,28 +217,17 @@ static bool save(const struct command *command, const struct scene *scene,
                  const struct frames *frames, struct error *error) {
     const struct options *options = &command->options;
     const char *extension = image_file_extension(options->format, &frames->frame[0]);
-    bool done = false;
-    char *path = NULL;
     char *directory = options->directory != NULL
                           ? string_format("%s", options->directory)
                           : string_format("%s/%s", OUTPUT_DIRECTORY, command->run.program->name);
-    if (directory != NULL) {
-        path = string_format("%s/%s.%s", directory, scene->name, extension);
-    }
-    if (path == NULL) {
-        error_out_of_memory(error);
-        goto end;
-    }
-    if (command->run.text != NULL && file_is_same(options->input, path)) {
-        error_set(error, "the picture would replace its scene; -o puts it elsewhere");
-        error_name_file(error, path);
-        goto end;
-    }
-    done = directory_create(directory, error) && write_frames(path, options, scene, frames, error);
+    char *path =
+        directory != NULL ? string_format("%s/%s.%s", directory, scene->name, extension) : NULL;
+    bool done = path != NULL ? directory_create(directory, error) &&
+                                   write_frames(path, options, scene, frames, error)
+                             : error_out_of_memory(error);
     if (done && !options->stats && options->repeat == 0) {
         printf("%s\n", path);
     }
-end:
     free(directory);
     free(path);
     return done;
@@ -294,33 +283,23 @@ static void suggest_fit(struct command *command, const struct model *model) {
     say(command, &advice);
 }
 
-static bool is_black(const struct image *image) {
-    size_t size = image->width * image->height * image->format;
-    for (size_t i = 0; i < size; i++) {
-        if (image->pixels[i] != 0) {
-            return false;
-        }
-    }
-    return true;
-}
-
-static bool is_far(const double *depth, size_t count) {
-    for (size_t i = 0; i < count; i++) {
-        if (depth[i] > -INFINITY) {
-            return false;
-        }
-    }
-    return true;
-}
-
 /* All frames are black, or a single picture has a background and nothing before it. */
 static bool shows_nothing(const struct stage *stage, const struct frames *frames) {
     const double *depth = stage->drawing.depth;
     if (frames->count == 1 && depth != NULL) {
-        return is_far(depth, stage->pixel_count);
+        size_t far = 0;
+        while (far < stage->pixel_count && depth[far] == -INFINITY) {
+            far++;
+        }
+        return far == stage->pixel_count;
     }
     for (size_t i = 0; i < frames->count; i++) {
-        if (!is_black(&frames->frame[i])) {
+        const struct image *image = &frames->frame[i];
+        size_t size = image->width * image->height * image->format, black = 0;
+        while (black < size && image->pixels[black] == 0) {
+            black++;
+        }
+        if (black < size) {
             return false;
         }
     }
@@ -430,7 +409,7 @@ static void print_counters(const struct stage *stage) {
 
 /* How much was read, in all. */
 static void print_loaded(const struct run *run) {
-    struct loaded loaded = run_loaded(run);
+    const struct loaded loaded = run_loaded(run);
     printf("files.bytes_read: %llu\n", (unsigned long long)loaded.bytes);
     printf("files.textures_present: %llu\n", (unsigned long long)loaded.textures_present);
     printf("files.textures_read: %llu\n", (unsigned long long)loaded.textures_read);
