@@ -95,6 +95,21 @@ static inline void swap_colors(uint8_t *restrict to, const uint8_t *restrict fro
     }
 }
 
+/* A row of a file becomes one of an image, and the other way round. */
+static void swap_row(uint8_t *to, const uint8_t *from, size_t width, size_t channels) {
+    switch (channels) {
+    case 1:
+        memcpy(to, from, width);
+        break;
+    case 3:
+        swap_colors(to, from, width, 3);
+        break;
+    default:
+        swap_colors(to, from, width, 4);
+        break;
+    }
+}
+
 /* ---- Row filters ----
  *
  * A byte is predicted from those at its left (a), above (b) and above left (c), one pixel away; the
@@ -120,33 +135,12 @@ static inline int predict(const unsigned filter, uint8_t a, uint8_t b, uint8_t c
                                       : paeth(a, b, c);
 }
 
-/* A loop for each filter, which is a constant where this is called. */
-static inline void filter_row_by(const unsigned filter, const uint8_t *row, const uint8_t *above,
-                                 size_t size, size_t step, uint8_t *restrict out) {
+/* Compilers make a loop for each filter. */
+static void filter_row(const unsigned filter, const uint8_t *row, const uint8_t *above, size_t size,
+                       size_t step, uint8_t *restrict out) {
     const uint8_t *left = row - step, *corner = above - step;
     for (size_t i = 0; i < size; i++) {
         out[i] = (uint8_t)(row[i] - predict(filter, left[i], above[i], corner[i]));
-    }
-}
-
-static void filter_row(unsigned filter, const uint8_t *row, const uint8_t *above, size_t size,
-                       size_t step, uint8_t *out) {
-    switch (filter) {
-    case FILTER_NONE:
-        filter_row_by(FILTER_NONE, row, above, size, step, out);
-        break;
-    case FILTER_SUB:
-        filter_row_by(FILTER_SUB, row, above, size, step, out);
-        break;
-    case FILTER_UP:
-        filter_row_by(FILTER_UP, row, above, size, step, out);
-        break;
-    case FILTER_AVERAGE:
-        filter_row_by(FILTER_AVERAGE, row, above, size, step, out);
-        break;
-    default:
-        filter_row_by(FILTER_PAETH, row, above, size, step, out);
-        break;
     }
 }
 
@@ -480,25 +474,12 @@ static void read_pixel(const struct png *png, const uint8_t *row, size_t x, uint
     bgra[3] = own_alpha ? level[channels - 1] : clear ? 0 : 255;
 }
 
-/* A row of pixels as they are in most files: eight bits a channel, and no colour that stands for
- * transparent. False, and nothing done, for any other. */
-static bool copy_plain_pixels(const struct png *png, const uint8_t *row, uint8_t *pixels) {
-    if (png->has_alpha_chunk || png->depth != 8) {
-        return false;
-    }
-    switch (png->color_type) {
-    case COLOR_GREY:
-        memcpy(pixels, row, png->width);
-        return true;
-    case COLOR_RGB:
-        swap_colors(pixels, row, png->width, 3);
-        return true;
-    case COLOR_RGBA:
-        swap_colors(pixels, row, png->width, 4);
-        return true;
-    default:
-        return false;
-    }
+/* Rows as they are in most files: eight bits a channel, and no colour that stands for
+ * transparent. */
+static bool has_plain_rows(const struct png *png) {
+    return png->depth == 8 && !png->has_alpha_chunk &&
+           (png->color_type == COLOR_GREY || png->color_type == COLOR_RGB ||
+            png->color_type == COLOR_RGBA);
 }
 
 /* Which pixels a part of the file holds: every so many, from the first, counted from the top left.
@@ -542,6 +523,7 @@ static uint8_t *unpack_pass(const struct png *png, struct pass pass, uint8_t *ra
     size_t bits = channel_count(png->color_type) * png->depth;
     size_t step = bits < 8 ? 1 : bits / 8, pixel_size = (size_t)image->format;
     size_t width = pass_width(png, pass), size = row_bytes(png, width);
+    bool plain = pass.x_step == 1 && has_plain_rows(png);
     for (size_t y = pass.y; width > 0 && y < png->height; y += pass.y_step) {
         uint8_t *row = raw + 1;
         if (!unfilter_row(raw[0], row, above, size, step)) {
@@ -549,8 +531,10 @@ static uint8_t *unpack_pass(const struct png *png, struct pass pass, uint8_t *ra
             return NULL;
         }
         uint8_t *pixels = image->pixels + (png->height - 1 - y) * image->width * pixel_size;
-        bool copied = pass.x_step == 1 && copy_plain_pixels(png, row, pixels);
-        for (size_t x = 0; !copied && x < width; x++) {
+        if (plain) {
+            swap_row(pixels, row, width, pixel_size);
+        }
+        for (size_t x = 0; !plain && x < width; x++) {
             uint8_t bgra[4];
             read_pixel(png, row, x, bgra);
             memcpy(pixels + (pass.x + x * pass.x_step) * pixel_size, bgra, pixel_size);
@@ -653,22 +637,6 @@ static const uint8_t *part_row(const struct part *part, size_t y) {
     return image->pixels + ((part->y + y) * image->width + part->x) * (size_t)image->format;
 }
 
-/* Row y of the part as it is in the file, not yet filtered. */
-static void load_row(const struct part *part, size_t y, uint8_t *row) {
-    const uint8_t *pixel = part_row(part, y);
-    switch (part->image->format) {
-    case IMAGE_GREY:
-        memcpy(row, pixel, part->width);
-        break;
-    case IMAGE_BGR:
-        swap_colors(row, pixel, part->width, 3);
-        break;
-    default:
-        swap_colors(row, pixel, part->width, 4);
-        break;
-    }
-}
-
 /* How far the bytes of a row are from zero, counted as differences -128..127. */
 static uint32_t distance_from_zero(const uint8_t *bytes, size_t size) {
     uint32_t sum = 0; /* at most 4 * IMAGE_SIZE_LIMIT * 128 */
@@ -687,7 +655,7 @@ static void filter_rows(const struct part *part, uint8_t *rows, uint8_t *trial, 
     size_t size = part->width * step;
     uint8_t *row = rows + PIXEL_LIMIT, *above = rows + 2 * PIXEL_LIMIT + size;
     for (size_t y = part->height; y-- > 0; out += 1 + size) {
-        load_row(part, y, row);
+        swap_row(row, part_row(part, y), part->width, step);
         filter_row(FILTER_NONE, row, above, size, step, out + 1);
         out[0] = FILTER_NONE;
         uint32_t best = distance_from_zero(out + 1, size);
