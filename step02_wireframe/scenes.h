@@ -1,5 +1,5 @@
 /*
- * Step 2, the given part: its scenes and the program.
+ * Lesson 2, the given part: its scenes and the program.
  *
  * `square` draws the sides of two faces, `points` the positions of a model as pixels, and
  * `wireframe` its sides, white on black. `border` draws a quarter of its faces and `enlarged` the

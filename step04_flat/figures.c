@@ -1,4 +1,4 @@
-/* The pictures of step 4's README that are not references. */
+/* The pictures of lesson 4's README that are not references. */
 #include "../tests/bench/figures.h"
 
 #define LESSON "../step04_flat/main.c"

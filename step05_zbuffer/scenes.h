@@ -1,5 +1,5 @@
 /*
- * Step 5, the given part: its scenes and the program.
+ * Lesson 5, the given part: its scenes and the program.
  *
  * `rows` shows the idea in one dimension: three segments of a plane, seen from above, in one row of
  * pixels, and short ones that leave it at its sides. `zbuffer` is lesson 4 with a depth buffer,
@@ -190,7 +190,7 @@ static void choose_depths(struct vertex v[3], int attempt, size_t turn, int bits
     }
 }
 
-/* All faces on which light falls, as in step 4. */
+/* All faces on which light falls, as in lesson 4. */
 static bool draw_zbuffer(struct drawing *drawing, struct image *image, struct error *error) {
     const struct model *model = drawing->model;
     const int attempt = (int)drawing_value(drawing, "attempt");

@@ -1,5 +1,5 @@
 /*
- * Step 9, the given part: its scenes and the program.
+ * Lesson 9, the given part: its scenes and the program.
  *
  * A scene is a grid of cells, and in each cell the model as one shader draws it. `loops`, `looks`
  * and `more_looks` are drawn by simple_draw(), `heads` by visible_draw(), the others by the

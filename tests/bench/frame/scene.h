@@ -57,7 +57,7 @@ bool frame_model_subdivide(struct frame_model *fine, const struct frame_model *c
                            struct error *error);
 void frame_model_free(struct frame_model *head);
 
-/* The head as step 10 shows it, in an image of that size; the textures are those of `textured`. */
+/* The head as lesson 10 shows it, in an image of that size, with the textures of `textured`. */
 struct frame_scene frame_scene(enum frame_look look, size_t width, size_t height,
                                const struct frame_model *head, const struct model *textured);
 

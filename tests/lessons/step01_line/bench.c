@@ -94,4 +94,4 @@ static const struct bench_panel lines_panels[] = {
 };
 
 const struct bench_lesson bench_step01 =
-    BENCH_LESSON("step01_line", "Step 1: a line", lines_setup, lines_panels);
+    BENCH_LESSON("step01_line", "Lesson 1: a line", lines_setup, lines_panels);

@@ -358,4 +358,4 @@ static const struct bench_panel fill_panels[] = {
 };
 
 const struct bench_lesson bench_step03 =
-    BENCH_LESSON("step03_triangle", "Step 3: a triangle", fill_setup, fill_panels);
+    BENCH_LESSON("step03_triangle", "Lesson 3: a triangle", fill_setup, fill_panels);
