@@ -724,7 +724,7 @@ static bool draw_and_judge(struct judging *judging, struct error *error) {
     return done && had_room(judging, error);
 }
 
-/* A step that cannot be built; a missing reference is told of all the same. */
+/* A step that cannot be built; a missing reference is still reported. */
 static void set_not_built(const struct judging *judging, const struct message_line *reason) {
     struct step_result *result = judging->result;
     result->state = RESULT_BUILD;

@@ -255,7 +255,7 @@ static bool write_pictures(const struct making *making, const struct image *pixe
     return done;
 }
 
-/* ---- What is told by it ---- */
+/* ---- What a look says ---- */
 
 static void print_sign(const struct making *making, size_t mistake, size_t row, uint64_t apart) {
     if (row > 0 || apart > 0) {

@@ -86,7 +86,7 @@ struct item_result {
  *   other items show, and of no others; for sure when it is one task, which it shows (what only
  *   may be a mistake looks like none);
  * - otherwise, of the tasks that it shows without those that a picture shows right alone; where
- *   none is left, and in an item that does not just FAIL, of all that it shows. For sure when it is
+ *   none is left, and in an item that does not just FAIL, of all it shows. For sure when it is
  *   one task, nothing that the item needs has a state other than PASS, and it looks like no mistake
  *   of yet another task.
  *

@@ -1,7 +1,7 @@
 /*
  * Lesson 1's benchmark: the attempts at a line.
  *
- * Every line has a small image of its own, and every version a grey level of its own: what the
+ * Every line has its own small image, and every version its own grey value: what the
  * last run drew can be told from what others left. The error counts wrong pixels, against exact
  * integers.
  */
