@@ -52,8 +52,8 @@ static bool draw_not_normalized(const struct model *model, const char *directory
     return sheet_end(&sheet, done, directory, "not_normalized", error);
 }
 
-/* Paint magenta what shows a face although another lies before it there. The nearest face of each
- * pixel is found with a depth for every pixel: that is lesson 5. */
+/* Paint a pixel magenta where it shows a face although another is nearer. A depth for every pixel,
+ * as in lesson 5, finds the nearest one. */
 static void mark_faults(const struct model *model, struct image *image, double *nearest,
                         double *shown) {
     size_t pixel_count = image->width * image->height;

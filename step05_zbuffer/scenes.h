@@ -179,8 +179,8 @@ static struct painted *painters_order(const struct model *model, struct error *e
     return order;
 }
 
-/* The depths of a face's corners, as an attempt has them. What is drawn over all that is there has
- * the number of its turn as depth: it is nearer than all before. */
+/* The depths of a face's corners in an attempt. What is painted over everything before gets the
+ * number of its turn as depth, so that it is nearer. */
 static void choose_depths(struct vertex v[3], int attempt, size_t turn, int bits) {
     const double mean = (v[0].depth + v[1].depth + v[2].depth) / 3;
     for (int i = 0; i < 3; i++) {

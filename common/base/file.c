@@ -190,7 +190,7 @@ static int create_temporary(const char *path, char *name, size_t name_size) {
 }
 
 static void set_permissions(int file, long mode) {
-#ifdef __wasi__ /* has no permissions: what replaces a file gets those of any new file */
+#ifdef __wasi__ /* has no permissions: a replaced file gets those of any new file */
     (void)file;
     (void)mode;
 #else
@@ -287,7 +287,7 @@ static bool is_directory(const char *path) {
     return stat(path, &status) == 0 && S_ISDIR(status.st_mode);
 }
 
-/* What is wrong with what is there, and is no directory: a link may lead to nothing, or to
+/* What is wrong with an existing path that is no directory: a link may lead to nothing, or to
  * itself. */
 static int reason_of_existing(const char *path) {
     struct stat status;

@@ -777,8 +777,8 @@ static bool append_frame_control(struct bytes *out, uint32_t sequence, const str
     return append_chunk(out, "fcTL", control, sizeof control, NULL, 0);
 }
 
-/* The compressed pixels of a frame: in IDAT for the first, whose fcTL has number 0, else in one
- * fdAT with the next number. */
+/* The compressed pixels of a frame: in IDAT for the first frame (its fcTL has number 0), in one
+ * fdAT with the next number for the others. */
 static bool append_frame_pixels(struct bytes *out, uint32_t sequence, const struct bytes *pixels) {
     uint8_t number[FRAME_NUMBER_SIZE];
     put_u32(number, sequence + 1);
