@@ -15,7 +15,7 @@ if ! command -v valgrind >/dev/null; then
     exit 2
 fi
 
-# -g changes no instruction; it tells from which file each comes.
+# -g changes no instruction; it says from which file each comes.
 make -s BUILD="$build" CC=gcc CFLAGS='-O3 -g' MARCH=$march REAL= LANES= programs models || exit 1
 git show HEAD:./tests/bench/counts.txt >"$build/committed" 2>/dev/null ||
     : >"$build/committed"

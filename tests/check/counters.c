@@ -1,4 +1,4 @@
-/* Mistakes that no picture tells: see counters.h. */
+/* Mistakes that no picture shows: see counters.h. */
 #include "counters.h"
 
 #include <stdio.h>

@@ -5,7 +5,7 @@
  *
  * LIST is a list of mistakes (mistakes.h) with a number instead of signs;
  * DIRECTORY/NUMBER/SCENE.png is what the mistake draws, when it draws something wrong there. Writes
- * LOOKS/STEP/SCENE.png and .small.png, or removes them where no mistake can be told, and prints
+ * LOOKS/STEP/SCENE.png and .small.png, or removes them where no mistake can be known, and prints
  * NUMBER and sign of each mistake that shows in the scene.
  *
  * Exit status: 0 done, 1 something cannot be read or written, 2 wrong usage.
@@ -274,7 +274,7 @@ static void print_starter(struct making *making) {
     }
 }
 
-/* What cannot be told by looks_find() itself has row 0. */
+/* What looks_find() itself does not recognise has row 0. */
 static void print_signs(const struct making *making, const struct looks *looks) {
     for (size_t i = 0; i < making->mistakes.count; i++) {
         const struct look *look = &making->looks[i];

@@ -113,7 +113,7 @@ struct step_result {
     struct result_text reason;  /* why the step as a whole did not end well; or empty */
     struct result_text warning; /* the compiler's first one of a program that it built; or empty */
     size_t more_warnings;
-    bool sanitized;        /* built to tell in which line it crashes, or it has told */
+    bool sanitized;        /* built to say in which line it crashes, or it has said it */
     struct bytes messages; /* what compiler or program wrote to standard error, then a NUL */
 };
 

@@ -32,7 +32,7 @@ enum {
     OPEN_FILES = 256,           /* in each of its processes */
     FILE_COUNT = 4096,          /* in its directory */
     FILE_DEPTH = 64,            /* directories in one another */
-    SIGNALED = 128              /* and a signal: the status that tells of it */
+    SIGNALED = 128              /* and a signal: the status that means it */
 };
 
 static const double seconds_to_end = 0.5;      /* between SIGTERM and SIGKILL */
@@ -410,7 +410,7 @@ static bool has_ended(pid_t id) {
     return waitid(P_PID, (id_t)id, &info, WEXITED | WNOHANG | WNOWAIT) == 0 && info.si_pid == id;
 }
 
-/* Read what is there, at most one buffer; false when there is nothing, or never will be. */
+/* Read what has come, at most one buffer; false when nothing has, or never will. */
 static bool read_messages(int pipe_end, struct bytes *messages) {
     char buffer[65536];
     ssize_t length = read(pipe_end, buffer, sizeof buffer);

@@ -1,5 +1,5 @@
 /*
- * Tests of what tells a mistake where no picture does: a program that counts the same, with the
+ * Tests of what shows a mistake where no picture does: a program that counts the same, with the
  * same pictures right, makes that mistake; in doubt none.
  */
 #define _POSIX_C_SOURCE 200809L

@@ -179,7 +179,7 @@ static void test_small_pictures(void) {
     tear_down(&f);
 }
 
-/* Pictures that lack nearly everything are not told by what they lack. */
+/* Pictures that lack nearly everything are not known by what they lack. */
 static void test_black(void) {
     struct fixture f;
     set_up(&f);
