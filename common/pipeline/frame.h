@@ -105,7 +105,7 @@ struct block {
  * and as many rows as are wanted are read in turn. */
 struct column {
     double depth[BAND_HEIGHT * CHUNK]; /* minus infinity: nothing is drawn */
-    /* Of the piece that is seen: see struct scratch; 0 where nothing is drawn. One more is read
+    /* The piece that is seen: see struct scratch; 0 where nothing is drawn. One more is read
      * behind the last (see find_runs()), and 8 make the column whole cache lines. */
     uint32_t number[BAND_HEIGHT * CHUNK + 8];
     double farthest[BAND_TILES]; /* of each tile: at most every pixel's depth */
@@ -177,7 +177,7 @@ struct frame {
     struct scratch *scratch; /* one a thread */
     uint64_t (*band_stats)[PIPELINE_STATS];
     size_t scratch_count, scratch_capacity;
-    /* Of each column of each band, bit i: something may be drawn in row i. And what was so in the
+    /* For each column of each band, bit i: something may be drawn in row i. And the same of the
      * last frame. */
     uint32_t *touched, *last_touched;
     struct image last_image; /* in which that was drawn */

@@ -323,8 +323,7 @@ KERNEL bool gather_pixels(const struct call_band *band, const struct shader *sha
     return has_colors(shader) || gather_varyings(band, shader, number, x, y, pixels->varyings);
 }
 
-/* Of the pixels that are drawn, those that the shader discards show again what they showed before.
- * Returns the others. */
+/* Drawn pixels that the shader discards show again what they showed before. Returns the others. */
 KERNEL lanes_int take_back(const struct call_band *band, const struct pixels *pixels,
                            lanes_mask kept) {
     struct column *now = &band->chunks[pixels->x / CHUNK];

@@ -353,7 +353,7 @@ static bool judge_alone(const struct judging *judging, size_t i, struct error *e
     return done;
 }
 
-/* For who has waited in vain often enough: a tenth of the time, but a second. */
+/* After enough waits in vain: a tenth of the time, but at least a second. */
 static struct run_limits hurried_limits(double seconds) {
     double tenth = seconds / 10 > 1 ? seconds / 10 : 1;
     return run_program_limits(tenth < seconds ? tenth : seconds);
