@@ -424,29 +424,6 @@ static bool draw_many(struct error *error) {
     return done;
 }
 
-/* The second frame of a pipeline needs no more memory than the first had. */
-static void test_second_frame(void) {
-    struct target target;
-    struct error error;
-    setenv("THREADS", "1", 1);
-    CHECK(make_inputs() && start(&target, &error));
-    for (int frame = 0; frame < 3; frame++) {
-        pipeline_clear(&target.pipeline);
-        image_clear(&target.image, color_grey(0));
-        memory.on = frame > 0;
-        memory.calls = 0;
-        memory.failing = NEVER;
-        for (int i = 0; i < 20; i++) {
-            CHECK(record(&target, i % 2 == 0 ? &inputs.cube : &inputs.many, near_eye, 0.5, &error));
-        }
-        CHECK(finish(&target, &error) && memory.calls == 0);
-        memory.on = false;
-    }
-    target_free(&target);
-    free_inputs();
-    unsetenv("THREADS");
-}
-
 /* A draw call that failed is left out, and the frame can be finished without it. */
 static bool draw_after_a_failure(struct error *error) {
     struct target target;
@@ -596,4 +573,4 @@ static void test_too_many_elements(void) {
     CHECK(array_reserve(NULL, &capacity, SIZE_MAX / 8 + 2, 8) == NULL && capacity == 0);
 }
 
-UNIT_MAIN(TEST(test_too_many_elements), TEST(test_each_allocation), TEST(test_second_frame))
+UNIT_MAIN(TEST(test_too_many_elements), TEST(test_each_allocation))
