@@ -151,7 +151,7 @@ $(BUILD)/fuzz_%: $(BUILD)/tested/tests/upkeep/fuzz/fuzz_%.o $(BUILD)/tested/all.
 	$(Q)$(TESTED) -fsanitize=fuzzer $^ -lm -o $@
 
 everything:
-	@.ci/run test-clang portability-all grade-unshare bench-files mutants-300
+	@.ci/run test-clang portability-all grade-unshare verify-all mutants-300
 
 # ---- Pictures: make figures, make references ----
 
