@@ -71,13 +71,9 @@ bool drawing_take_part(struct drawing *drawing, size_t i) {
 /* ---- Numbers of scenes ---- */
 
 double drawing_value(const struct drawing *drawing, const char *name) {
-    const struct scene_value *values = drawing->values;
-    for (size_t i = 0; values != NULL && values[i].name != NULL; i++) {
-        if (strcmp(values[i].name, name) == 0) {
-            return drawing->value[i];
-        }
-    }
-    return 0;
+    const struct chosen_value wanted = {.name = name, .length = strlen(name)};
+    const struct scene_value *value = find_value(drawing->values, &wanted);
+    return value != NULL ? drawing->value[value - drawing->values] : 0;
 }
 
 struct vec2 drawing_point(const struct drawing *drawing, const char *name) {
