@@ -131,28 +131,18 @@ static bool write_all(int file, const void *data, size_t size) {
     return true;
 }
 
-/* As write_all(). The signal of a file that grows too large would end the program in the middle. */
-static bool write_all_or_fail(int file, const void *data, size_t size) {
+/* Write and close; false with the reason in errno. Some file systems tell of a full disk only when
+ * the file is closed. The signal of a file that grows too large would end the program before. */
+static bool write_and_close(int file, const void *data, size_t size) {
 #ifdef SIGXFSZ
     struct sigaction ignored = {.sa_handler = SIG_IGN}, before;
-    bool changed = sigaction(SIGXFSZ, &ignored, &before) == 0;
+    sigaction(SIGXFSZ, &ignored, &before);
+#endif
     bool written = write_all(file, data, size);
     int reason = errno;
-    if (changed) {
-        sigaction(SIGXFSZ, &before, NULL);
-    }
-    errno = reason;
-    return written;
-#else
-    return write_all(file, data, size);
+#ifdef SIGXFSZ
+    sigaction(SIGXFSZ, &before, NULL);
 #endif
-}
-
-/* Write and close; false with the reason in errno. Some file systems tell of a full disk only when
- * the file is closed. */
-static bool write_and_close(int file, const void *data, size_t size) {
-    bool written = write_all_or_fail(file, data, size);
-    int reason = errno;
     bool closed = close(file) == 0;
     if (!written) {
         errno = reason;
