@@ -192,18 +192,15 @@ static bool load_model(struct run *run, const struct scene *scene, struct error 
     }
     unload_model(run);
     run->model_parts = parts;
-    bool done;
-    if (run->input != NULL) {
-        done = model_read_parts(&run->model, file, parts, error);
-    } else {
-        char *path = string_format("%s/%s", MODELS_DIRECTORY, file);
-        if (path == NULL) {
-            return error_out_of_memory(error);
-        }
-        done = file_exists(path) ? model_read_parts(&run->model, path, parts, error)
-                                 : error_set(error, "%s: no such file; `make` sculpts it", path);
-        free(path);
+    char *path = run->input != NULL ? string_format("%s", file)
+                                    : string_format("%s/%s", MODELS_DIRECTORY, file);
+    if (path == NULL) {
+        return error_out_of_memory(error);
     }
+    bool done = run->input != NULL || file_exists(path)
+                    ? model_read_parts(&run->model, path, parts, error)
+                    : error_set(error, "%s: no such file; `make` sculpts it", path);
+    free(path);
     memcpy(run->model.texture_files, run->options->textures, sizeof run->options->textures);
     run->has_materials = (needs & NEEDS_DIFFUSE) != 0 &&
                          run->options->textures[MODEL_DIFFUSE] == NULL &&
