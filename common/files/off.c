@@ -154,7 +154,7 @@ static bool read_counts(struct model_reader *reader, struct word word, struct of
                       counts->vertices, counts->faces);
 }
 
-/* "OFF" and the numbers. A guess is that vertices have colours, though the first word names none. */
+/* "OFF" and the numbers. A guess: vertices have colours, though the first word names none. */
 static bool read_header(struct model_reader *reader, bool colored, struct off_kind *kind,
                         struct off_counts *counts) {
     struct word word;

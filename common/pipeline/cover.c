@@ -377,8 +377,7 @@ static void clear_image(const struct call_band *band) {
     const struct image *image = frame->image;
     size_t row_size = image->width * image->format;
     if (frame->knows_last) {
-        clear_touched(image, band->rows,
-                      frame->last_touched + (band->touched - frame->touched));
+        clear_touched(image, band->rows, frame->last_touched + (band->touched - frame->touched));
     } else if (frame->pipeline->clearing != CLEAR_NOTHING) {
         memset(image->pixels + (size_t)band->rows.begin * row_size, 0,
                (size_t)(band->rows.end - band->rows.begin) * row_size);

@@ -73,9 +73,9 @@ struct piece {
     double depth[3];
     uint32_t face, drawn;           /* of the call with that number */
     uint16_t first_band, last_band; /* that it reaches */
-    uint8_t first, second;          /* which corners of the face, or of the part, its first two are */
-    uint8_t part;                   /* 0: a whole face; n: triangle n of the fan of a clipped one */
-    atomic_bool seen;               /* one of several bands has shown a pixel of it */
+    uint8_t first, second; /* which corners of the face, or of the part, its first two are */
+    uint8_t part;          /* 0: a whole face; n: triangle n of the fan of a clipped one */
+    atomic_bool seen;      /* one of several bands has shown a pixel of it */
 };
 
 /* Which corner of the face, or of the part, corner i of a piece is. */

@@ -235,8 +235,8 @@ static bool may_collapse(const struct workshop *w, int from, int to) {
             return false;
         }
     }
-    /* An edge in the mirror has one triangle on this side. Only the corners opposite the edge may be
-     * neighbours of both ends: else sheets touch. */
+    /* An edge in the mirror has one triangle on this side. Only the corners opposite the edge may
+     * be neighbours of both ends: else sheets touch. */
     return shared > 0 && (shared == 1 || !surface_is_in_mirror(w->surface, from)) &&
            common == shared && from_count + to_count - 4 <= VALENCE_LIMIT;
 }

@@ -4,8 +4,8 @@
  *     benchmark [-o DIR] [STEP...]
  *
  * measures the lessons whose names contain one of the STEPs (all without one), prints a table, and
- * writes DIR/bench/all.json and a chart for each lesson, DIR/bench/stepNN_name.svg. Each lesson takes
- * about 10 seconds; the environment variable BENCH_SECONDS gives another number (of seconds a lesson).
+ * writes DIR/bench/all.json and a chart for each lesson, DIR/bench/stepNN_name.svg. Each lesson
+ * takes about 10 seconds; the environment variable BENCH_SECONDS gives another number.
  */
 #include "bench.h"
 
