@@ -1,4 +1,4 @@
-/* The pictures of step 1's README that are not references. */
+/* The pictures of lesson 1's README that are not references. */
 #include "../tests/bench/figures.h"
 
 #define LESSON "../step01_line/main.c"

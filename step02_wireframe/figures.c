@@ -1,4 +1,4 @@
-/* The pictures of step 2's README that are not references. */
+/* The pictures of lesson 2's README that are not references. */
 #include "../tests/bench/figures.h"
 
 #define LESSON "../step02_wireframe/main.c"

@@ -1,4 +1,4 @@
-/* The pictures of step 3's README that are not references. */
+/* The pictures of lesson 3's README that are not references. */
 #include "../tests/bench/figures.h"
 
 #define LESSON "../step03_triangle/main.c"

@@ -1,4 +1,4 @@
-/* The pictures of step 4's README that are not references. */
+/* The pictures of lesson 4's README that are not references. */
 #include "../tests/bench/figures.h"
 
 #define LESSON "../step04_flat/main.c"
@@ -51,8 +51,8 @@ static void draw_not_normalized(const struct model *model) {
     figure_save(&sheet.image, "not_normalized");
 }
 
-/* Paint magenta what shows a face although another lies before it there. The nearest face of each
- * pixel is found with a depth for every pixel: that is lesson 5. */
+/* Paint a pixel magenta where it shows a face although another is nearer. A depth for every pixel,
+ * as in lesson 5, finds the nearest one. */
 static void mark_faults(const struct model *model, struct image *image) {
     static double nearest[800 * 800], shown[800 * 800];
     size_t pixel_count = image->width * image->height;

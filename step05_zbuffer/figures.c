@@ -1,4 +1,4 @@
-/* The pictures of step 5's README that are not references, and the numbers of its tables. */
+/* The pictures of lesson 5's README that are not references, and the numbers of its tables. */
 #include "../tests/bench/figures.h"
 
 #define LESSON "../step05_zbuffer/main.c"

@@ -1,4 +1,4 @@
-/* The pictures of step 7's README that are not references, and the errors of the spheres. */
+/* The pictures of lesson 7's README that are not references, and the errors of the spheres. */
 #include "../tests/bench/figures.h"
 
 #define LESSON "../step07_gouraud/main.c"

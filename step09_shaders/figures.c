@@ -1,4 +1,4 @@
-/* The pictures of step 9's README that are not references. */
+/* The pictures of lesson 9's README that are not references. */
 #include "../tests/bench/figures.h"
 
 #define LESSON "../step09_shaders/main.c"

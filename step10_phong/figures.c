@@ -1,4 +1,4 @@
-/* The pictures of step 10's README that are not references, one of them moving. */
+/* The pictures of lesson 10's README that are not references, one of them moving. */
 #include "../tests/bench/figures.h"
 
 #define LESSON "../step10_phong/main.c"

@@ -93,7 +93,7 @@ enum { BENCH_VERSION_LIMIT = 32, BENCH_PANEL_LIMIT = 8, BENCH_SERIES_LIMIT = 4 }
 
 struct bench_lesson {
     const char *step;  /* "step01_line": name of the directory, and of the chart's file */
-    const char *title; /* heading of the chart: "Step 1: a line" */
+    const char *title; /* heading of the chart: "Lesson 1: a line" */
     /* Fill static variables with what the versions need; it is kept until the program ends. False,
      * with a message, when that fails. */
     bool (*setup)(struct error *error);

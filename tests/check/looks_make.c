@@ -5,7 +5,7 @@
  *
  * LIST is a list of mistakes (mistakes.h) with a number instead of signs;
  * DIRECTORY/NUMBER/SCENE.png is what the mistake draws, when it draws something wrong there. Writes
- * LOOKS/STEP/SCENE.png and .small.png, or removes them where no mistake can be told, and prints
+ * LOOKS/STEP/SCENE.png and .small.png, or removes them where no mistake can be known, and prints
  * NUMBER and sign of each mistake that shows in the scene.
  *
  * Exit status: 0 done, 1 something cannot be read or written, 2 wrong usage.
@@ -250,7 +250,7 @@ static void write_pictures(const struct making *making, const struct image *pixe
     need(png_write(pixels, path, &error) && png_write(&small, small_path.text, &error));
 }
 
-/* ---- What is told by it ---- */
+/* ---- What a look says ---- */
 
 static void print_sign(const struct making *making, size_t mistake, size_t row, uint64_t apart) {
     if (row > 0 || apart > 0) {
@@ -269,7 +269,7 @@ static void print_starter(struct making *making) {
     }
 }
 
-/* What cannot be told by looks_find() itself has row 0. */
+/* What looks_find() itself does not recognise has row 0. */
 static void print_signs(const struct making *making, const struct looks *looks) {
     for (size_t i = 0; i < making->mistakes.count; i++) {
         const struct look *look = &making->looks[i];

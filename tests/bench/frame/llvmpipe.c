@@ -241,7 +241,7 @@ struct llvmpipe {
 };
 
 static void close_llvmpipe(struct llvmpipe *l) {
-    gl_context_close(&l->context); /* and all that it holds */
+    gl_context_close(&l->context); /* and everything that it holds */
     free(l);
 }
 

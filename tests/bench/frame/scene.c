@@ -172,7 +172,7 @@ void frame_model_subdivide(struct frame_model *fine, const struct frame_model *c
 
 static const struct vec3 eye = {1, 1, 3}, center = {0, 0, 0}, up = {0, 1, 0}, light = {1, 1, 1};
 
-/* As step 10 shows the head that fills its picture. */
+/* As lesson 10 shows the head that fills its picture. */
 static const double zoom = 0.85;
 
 static struct rectangle square_in_the_middle(size_t width, size_t height) {
