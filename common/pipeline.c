@@ -37,6 +37,7 @@ static void frame_free(struct frame *frame) {
     free(frame->band_stats);
     free(frame->touched);
     free(frame->last_touched);
+    free(frame->farthest);
     free(frame);
 }
 
@@ -51,10 +52,11 @@ bool pipeline_create(struct pipeline *pipeline, size_t width, size_t height, str
         frame->pipeline = pipeline;
         frame->touched = calloc(band_count(frame) * chunk_columns(frame), sizeof(uint32_t));
         frame->last_touched = calloc(band_count(frame) * chunk_columns(frame), sizeof(uint32_t));
+        frame->farthest = malloc(tile_count(frame) * sizeof *frame->farthest);
         frame->band_stats = calloc(band_count(frame), sizeof *frame->band_stats);
     }
     if (frame == NULL || frame->touched == NULL || frame->last_touched == NULL ||
-        frame->band_stats == NULL) {
+        frame->farthest == NULL || frame->band_stats == NULL) {
         pipeline_free(pipeline);
         return error_out_of_memory(error);
     }
@@ -77,7 +79,6 @@ void pipeline_clear_column(struct column *column, uint32_t touched) {
         }
         place += CHUNK;
     }
-    depth_clear(column->farthest, BAND_TILES);
 }
 
 static void free_columns(struct frame *frame) {

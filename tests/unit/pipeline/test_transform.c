@@ -83,24 +83,25 @@ static struct mat4 random_matrix(int run) {
 
 /* Of that many positions. Returns how many differ. */
 static size_t count_wrong(size_t count, const struct draw_call *call) {
-    static struct screen_position position[ROUNDED];
-    static double recip_w[ROUNDED];
+    static struct fixed2 screen[ROUNDED];
+    static double depth[ROUNDED], recip_w[ROUNDED];
     static uint8_t beyond[ROUNDED];
     struct recorded_call recorded = {.call = *call, .guard_band = guard_band_of(&call->viewport)};
     struct block blocks[COUNT / BLOCK_SIZE + 1];
     struct frame frame = {
-        .positions = position, .recip_w = recip_w, .beyonds = beyond, .blocks = blocks};
+        .screen = screen, .depth = depth, .recip_w = recip_w, .beyonds = beyond, .blocks = blocks};
     unsigned any = 0;
     size_t wrong = 0;
-    memset(position, 1, sizeof position);
+    memset(screen, 1, sizeof screen);
+    memset(depth, 1, sizeof depth);
     for (size_t block = 0; block * BLOCK_SIZE < count; block++) {
         blocks[block] = (struct block){.call = &recorded, .begin = block * BLOCK_SIZE};
         transform_block(&frame, block, 0);
     }
     for (size_t i = 0; i < count; i++) {
         struct expected e = expect(call, call->model->positions[i]);
-        bool same = position[i].at.x == e.screen.x && position[i].at.y == e.screen.y &&
-                    same_double(position[i].depth, e.depth) && same_double(recip_w[i], e.recip_w) &&
+        bool same = screen[i].x == e.screen.x && screen[i].y == e.screen.y &&
+                    same_double(depth[i], e.depth) && same_double(recip_w[i], e.recip_w) &&
                     beyond[i] == e.beyond;
         wrong += !same;
         any |= e.beyond;
