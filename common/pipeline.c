@@ -11,6 +11,7 @@ static void free_all_scratch(struct frame *frame) {
         free(frame->scratch[i].fetched);
         free(frame->scratch[i].visible);
         free(frame->scratch[i].planes);
+        free(frame->scratch[i].before);
     }
     frame->scratch_count = 0;
 }
@@ -113,7 +114,9 @@ static bool scratch_reserve(struct scratch *scratch, const struct frame *frame) 
            array_extend(&scratch->visible, &scratch->visible_capacity, count,
                         sizeof *scratch->visible) &&
            array_extend(&scratch->planes, &scratch->plane_capacity, visible,
-                        PLANES_SIZE(VARYING_LIMIT) * sizeof *scratch->planes);
+                        PLANES_SIZE(VARYING_LIMIT) * sizeof *scratch->planes) &&
+           (!frame->discards || array_extend(&scratch->before, &scratch->before_capacity,
+                                             chunk_columns(frame), sizeof *scratch->before));
 }
 
 /* ---- Draw calls ---- */
@@ -232,7 +235,7 @@ static void begin_frame(struct frame *frame, struct pipeline *p, struct image *i
 /* Room for what the threads need to draw bands. */
 static bool reserve_bands(struct frame *frame, struct error *error) {
     size_t threads = workers_count(frame->workers);
-    size_t rows = (frame->kept ? band_count(frame) : threads) + (frame->discards ? threads : 0);
+    size_t rows = frame->kept ? band_count(frame) : threads;
     bool reserved =
         reserve_columns(frame, rows * chunk_columns(frame)) &&
         array_extend(&frame->scratch, &frame->scratch_capacity, threads, sizeof *frame->scratch);

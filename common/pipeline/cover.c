@@ -288,6 +288,18 @@ static void shade(const struct call_band *band) {
     }
 }
 
+/* Keep what is visible in some rows of the columns, for what is discarded. */
+static void keep_before(const struct call_band *band, struct span rows) {
+    size_t place = place_in_column(rows.begin - band->rows.begin, 0);
+    size_t count = (size_t)(rows.end - rows.begin) * CHUNK;
+    for (int x = band->columns.begin / CHUNK; x * CHUNK < band->columns.end; x++) {
+        const struct column *from = &band->chunks[x];
+        struct column *to = &band->scratch->before[x];
+        memcpy(to->depth + place, from->depth + place, count * sizeof *to->depth);
+        memcpy(to->number + place, from->number + place, count * sizeof *to->number);
+    }
+}
+
 /* Cover and shade each piece before the next one is covered. */
 static void draw_pieces(struct call_band *band) {
     const struct span numbers = band->numbers;
@@ -297,9 +309,7 @@ static void draw_pieces(struct call_band *band) {
         band->columns = span_overlap(box_centers(c[0].x, c[1].x, c[2].x),
                                      columns_of(&band->call->call.viewport));
         if (band->call->shader->discards) {
-            int first = band->columns.begin / CHUNK;
-            size_t count = (size_t)((band->columns.end + CHUNK - 1) / CHUNK - first);
-            memcpy(band->before + first, band->chunks + first, count * sizeof *band->chunks);
+            keep_before(band, span_overlap(box_centers(c[0].y, c[1].y, c[2].y), band->rows));
         }
         cover_piece(band, (uint32_t)i + 1, (struct cover_how){false, true});
         band->scratch->fetched[i + 1] = 1;
@@ -436,13 +446,12 @@ static void shade_calls(struct call_band *band) {
 
 static struct call_band begin_band(struct frame *frame, size_t index, size_t worker) {
     int bottom = (int)index * BAND_HEIGHT, height = (int)frame->pipeline->height;
-    size_t columns = chunk_columns(frame), threads = workers_count(frame->workers);
+    size_t columns = chunk_columns(frame);
     return (struct call_band){
         .frame = frame,
         .rows = {bottom, height - bottom < BAND_HEIGHT ? height : bottom + BAND_HEIGHT},
         .touched = frame->touched + index * columns,
         .chunks = frame->columns + (frame->kept ? index : worker) * columns,
-        .before = frame->columns + (frame->discards ? threads + worker : 0) * columns,
         .scratch = &frame->scratch[worker],
         .stats = frame->band_stats[index],
     };

@@ -119,9 +119,10 @@ struct scratch {
     /* By number: 0 while nothing of the piece is visible, otherwise 1; and once its draw call is
      * shaded, what was fetched for it: the colour of a flat piece, or where its planes are. */
     uint32_t *fetched;
-    uint32_t *visible; /* the numbers of a draw call's visible pieces */
-    real *planes;      /* and their planes: see planes_of() */
-    size_t piece_capacity, fetched_capacity, visible_capacity, plane_capacity;
+    uint32_t *visible;     /* the numbers of a draw call's visible pieces */
+    real *planes;          /* and their planes: see planes_of() */
+    struct column *before; /* where a shader discards: what was visible without its piece */
+    size_t piece_capacity, fetched_capacity, visible_capacity, plane_capacity, before_capacity;
 };
 
 /* A band that is drawn, one draw call after the other: what a shade_function works on. */
@@ -130,7 +131,6 @@ struct call_band {
     struct span rows;
     uint32_t *touched;     /* as in the frame, from left to right */
     struct column *chunks; /* of its rows, likewise */
-    struct column *before; /* where a shader discards: what was visible without its piece */
     struct scratch *scratch;
     uint64_t *stats;
     const struct recorded_call *call;
@@ -170,8 +170,7 @@ struct frame {
     size_t sorted_count;   /* pieces in the lists of all `sorted` */
     atomic_bool exhausted; /* a thread ran out of memory */
     /* Drawn: */
-    struct column *columns; /* a row of them for each thread, or for each band if `kept`; and, where
-                             * a shader discards, for each thread one more */
+    struct column *columns; /* a row of them for each thread, or for each band if `kept` */
     size_t column_count;
     struct scratch *scratch; /* one a thread */
     uint64_t (*band_stats)[PIPELINE_STATS];

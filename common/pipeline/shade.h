@@ -323,7 +323,7 @@ KERNEL bool gather_pixels(const struct call_band *band, const struct shader *sha
 KERNEL lanes_int take_back(const struct call_band *band, const struct pixels *pixels,
                            lanes_mask kept) {
     struct column *now = &band->chunks[pixels->x / CHUNK];
-    const struct column *before = &band->before[pixels->x / CHUNK];
+    const struct column *before = &band->scratch->before[pixels->x / CHUNK];
     lanes_int drawn = pixels->drawn;
     for (int i = 0; i < LANES; i++) {
         if (drawn[i] != 0 && !lanes_is_set(kept, i)) {
