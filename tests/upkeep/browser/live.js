@@ -199,6 +199,10 @@ test('corners of two neighbours move together, by mouse and keys, and no pixel i
         await settled(page);
         const said = await notes(page, 22, 22);
         assert.match(said, /1: E0 = \+0\.0000, on it\n.*\n.*\n.*\n.*2: E1 = \+0\.0000, on it, a top or left edge/);
+        await changed('step03_triangle', 'if (columns.begin >= columns.end', 'if (columns.begin < columns.end', async () => {
+            await page.waitForFunction(() => shown.pixels.every((v, i) => i % 4 === 3 || v === 0), null, {timeout: 60000});
+            assert.match(await notes(page, 20, 20), /1: E0 = \+80\.0000\n.*\n.*\n.*2: E0 = .*\n.*2: E1 = -80\.0000/); /* of part a */
+        });
     }));
 
 test('the ends of a line are dragged; an attempt, its wrong pixels, and half of its steps', () =>
@@ -331,11 +335,16 @@ test('the columns of a matrix are dragged; near plane; a corner through the spac
         assert.ok((await row())[1][2] > w);
         await page.click('button:text-is("lookat")');
         await settled(page);
-        const [, clip, ndc, screen] = (await notes(page, 400, 400)).split('\n').map(
+        const [, seen, clip, ndc, screen] = (await notes(page, 400, 400)).split('\n').map(
             line => [...line.matchAll(/-?\d+\.\d+/g)].map(Number));
+        assert.deepEqual(seen, clip.slice(0, 3)); /* projection adds w alone */
+        near(1 - seen[2] / Math.sqrt(6), clip[3]);
         near(clip[0] / clip[3], ndc[0]);
         near((ndc[0] + 1) * 400, screen[0], 0.5);
         near(screen[1], 400, 20);
+        await page.click('button:text-is("projection")'); /* no corner of the small head in the corner */
+        await settled(page);
+        assert.equal((await notes(page, 400, 400)).match(/corner/g).length, 1);
     }));
 
 test('ends of segments are dragged before a row of depths; painter, bits', () =>
