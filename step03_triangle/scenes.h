@@ -420,7 +420,7 @@ static uint64_t fill_shape(const struct drawing *drawing, struct image *image,
     return 0;
 }
 
-/* What the three edges say of the probed pixel: the lesson's own ones, or before part b its signs. */
+/* What the three edges say of the probed pixel: part b's, or before it is written, part a's. */
 static void note_edges(struct drawing *drawing, const struct image *image,
                        const struct vec2 screen[3], const struct fixed2 corner[3], size_t number) {
     struct edges edges;

@@ -258,6 +258,7 @@ test('perspective and its mistake: u, v and w at the cursor, and levels as colou
         await settled(page);
         const [leftHalf, rightHalf, affine, correct] = await halves();
         assert.deepEqual([leftHalf, rightHalf], [affine, correct]);
+        assert.ok(await page.evaluate('plain.pixels.every((v, i) => v === reference.pixels[i])'));
         await page.evaluate(() => { zoom = 0; });
         await show(page, 'yours');
         await page.click('#reset');
