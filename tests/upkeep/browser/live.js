@@ -356,8 +356,8 @@ test('ends of segments are dragged before a row of depths; painter, bits', () =>
         await show(page, 'split');
         await tab(page, 'attempt', "the painter's order"); /* red and blue cross at 511, and blue is in front everywhere */
         const colors = await page.evaluate(() => [shown, plain].map(frame =>
-            [500, 580].map(x => colorAt(frame, x, frame.height - 1 - 100).join())));
-        assert.deepEqual(colors, [['0,0,255', '0,0,255'], ['0,0,255', '255,0,0']]);
+            [400, 500, 580].map(x => colorAt(frame, x, frame.height - 1 - 100).join())));
+        assert.deepEqual(colors, [['0,255,0', '0,0,255', '0,0,255'], ['0,255,0', '0,0,255', '255,0,0']]);
         await picture(page, 'painter');
         await show(page, 'yours');
         await page.click('button:text-is("zbuffer")');
@@ -529,14 +529,19 @@ test('the pixel under the cursor is a parallelogram on the texture', () =>
                     at.push([i / 4 % shown.width, Math.floor(i / 4 / shown.width)]);
                 }
             }
-            const size = i => Math.max(...at.map(p => p[i])) - Math.min(...at.map(p => p[i]));
-            return at.length > 0 ? size(0) / size(1) : null;
+            const ends = i => [Math.min(...at.map(p => p[i])), Math.max(...at.map(p => p[i]))];
+            const [[left, right], [top, bottom]] = [ends(0), ends(1)];
+            const corner = at.find(([x]) => x === right); /* the rightmost one, from the middle */
+            return [(right - left) / (bottom - top), ((top + bottom) / 2 - corner[1]) / ((right - left) / 2)];
         });
         await set(page, 'on the texture', 1);
         for (const [x, y] of [[500, 500], [500, 200]]) {
             const said = await notes(page, x, y);
             const [ru, rv, uu, uv] = said.match(/right \((.*), (.*)\), up \((.*), (.*)\)/).slice(1).map(Number);
-            near(await outline(), (Math.abs(ru) + Math.abs(uu)) / (Math.abs(rv) + Math.abs(uv)), 0.05);
+            const [u, v] = Math.abs(ru + uu) > Math.abs(ru - uu) ? [ru + uu, rv + uv] : [ru - uu, rv - uv];
+            const [wide, corner] = await outline();
+            near(wide, (Math.abs(ru) + Math.abs(uu)) / (Math.abs(rv) + Math.abs(uv)), 0.05);
+            near(corner, v / u, 0.15);
         }
         await picture(page, 'footprint');
     }));
