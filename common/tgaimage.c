@@ -366,12 +366,8 @@ static bool convert_pixels(struct tga *tga, size_t count, uint8_t *pixels, struc
 
 /* Fill `count` pixels with copies of the one before them. */
 static void repeat_pixel(uint8_t *pixels, size_t count, size_t pixel_size) {
-    uint8_t pixel[4] = {0};
-    memcpy(pixel, pixels - pixel_size, pixel_size);
-    for (size_t i = 0; i < count; i++) {
-        for (size_t c = 0; c < pixel_size; c++) {
-            *pixels++ = pixel[c];
-        }
+    for (size_t i = 0; i < count; i++, pixels += pixel_size) {
+        memcpy(pixels, pixels - pixel_size, pixel_size);
     }
 }
 

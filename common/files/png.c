@@ -276,23 +276,20 @@ static bool next_chunk(const uint8_t *data, size_t size, size_t *position, struc
     return true;
 }
 
+/* 0 for a type that does not exist. */
 static size_t channel_count(unsigned color_type) {
-    switch (color_type) {
-    case COLOR_GREY_ALPHA:
-        return 2;
-    case COLOR_RGB:
-        return 3;
-    case COLOR_RGBA:
-        return 4;
-    default:
-        return 1;
-    }
+    static const uint8_t counts[] = {[COLOR_GREY] = 1,
+                                     [COLOR_RGB] = 3,
+                                     [COLOR_PALETTE] = 1,
+                                     [COLOR_GREY_ALPHA] = 2,
+                                     [COLOR_RGBA] = 4};
+    return color_type < sizeof counts ? counts[color_type] : 0;
 }
 
 static bool check_depth(const struct png *png, struct error *error) {
     bool small = png->depth == 1 || png->depth == 2 || png->depth == 4;
     bool packed = png->color_type == COLOR_GREY || png->color_type == COLOR_PALETTE;
-    if (png->color_type > COLOR_RGBA || png->color_type == 1 || png->color_type == 5) {
+    if (channel_count(png->color_type) == 0) {
         return error_set(error, "a PNG of an unknown colour type, %u", png->color_type);
     }
     bool large = png->depth == 16 && png->color_type != COLOR_PALETTE;

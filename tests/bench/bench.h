@@ -22,6 +22,7 @@
 #define TESTS_BENCH_H
 
 #include "base/error.h"
+#include "memory.h"
 #include "model.h"
 
 #include <float.h>
@@ -110,9 +111,6 @@ struct bench_lesson {
 /* All of them in order, then NULL. The Makefile writes this list from the names of the files; that
  * of stepNN.c is called bench_stepNN. */
 extern const struct bench_lesson *const bench_lessons[];
-
-/* So much memory, all 0, for `setup`; without it the program ends. */
-void *bench_memory(size_t count, size_t size);
 
 /* Read a model of build/models, such as "bust.obj". The caller frees it. */
 bool bench_read_model(struct model *model, const char *name, struct error *error);

@@ -5,8 +5,7 @@
 #   tests/upkeep/verify/try.sh BUILD MAKE WORK NUMBER
 #
 # Prints a finding, or nothing. Adds `LESSON KIND right TOLD` or `... wrong TOLD` to WORK/results
-# (TOLD: yes for a mistake that the check names), and to WORK/shares, for each picture, `KIND NAME
-# LESSON SCENE WRONG APART COVERAGE NEAR LIGHTER LOOK` as `check --shares` writes them.
+# (TOLD: yes for a mistake that the check names).
 . tests/upkeep/verify/entry.sh
 
 # finding WORDS: prints them with the name; the result is wrong.
@@ -122,7 +121,6 @@ if [ "$kind" = starter ] || [ "$kind" = undone ]; then
     mkdir -p "$place/sources/$lesson" && cp "$place/main.c" "$place/sources/$lesson" || exit 1
 fi
 case $scene in -) check ;; *) check --only "$scene" ;; esac
-[ ! -f "$place/shares" ] || sed "s/^/$kind $name /" "$place/shares" >>"$work/shares"
 judge
 echo "$lesson $kind $result $told" >>"$work/results"
 rm -rf "$place"
