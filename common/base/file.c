@@ -180,7 +180,7 @@ static int create_temporary(const char *path, char *name, size_t name_size) {
 }
 
 static void set_permissions(int file, long mode) {
-#ifdef __wasi__ /* has no permissions: what replaces a file gets those of any new file */
+#ifdef __wasi__ /* has no permissions: a replaced file gets those of any new file */
     (void)file;
     (void)mode;
 #else

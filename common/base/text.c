@@ -286,7 +286,7 @@ static inline bool exact_double(const struct decimal *decimal, double *value) {
 }
 
 /* Any other by strtod(), from a copy "DIGITSeEXPONENT". It has no point, so that the locale does
- * not matter, and no more digits than can: whether one behind them is not 0 is told by a last 1. */
+ * not matter, and no more digits than can: a last 1 says that one behind them is not 0. */
 static double any_double(struct decimal decimal) {
     char copy[KEPT_DIGITS + 32];
     size_t kept = 0;
