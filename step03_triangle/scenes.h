@@ -1,5 +1,5 @@
 /*
- * Step 3, the given part: its scenes and the program.
+ * Lesson 3, the given part: its scenes and the program.
  *
  * Part a: `outline` draws the edges of three triangles, `leaving` those of triangles that leave the
  * image; `signs` fills triangles by three signs, and `bust` the faces of a model, each in a colour

@@ -737,7 +737,6 @@ static struct drawing drawing_of_quads(const struct drawing *drawing, struct qua
     return of_quads;
 }
 
-/* Draw the quads, transformed by to_clip, with tiles on them. */
 /* How the probed pixel comes to u and v, where a triangle of the quads has it. */
 static void note_texel(struct drawing *drawing, const struct canvas *canvas,
                        const struct quad_model *made) {
@@ -774,6 +773,7 @@ static void note_texel(struct drawing *drawing, const struct canvas *canvas,
     }
 }
 
+/* Draw the quads, transformed by to_clip, with tiles on them. */
 static bool draw_quads(struct drawing *drawing, const struct canvas *canvas,
                        const struct quad *quads, size_t count, const struct mat4 *to_clip,
                        struct error *error) {

@@ -122,7 +122,7 @@ async function dragTo(page, from, to) {
     await settled(page);
 }
 
-/* When all that was asked is answered. */
+/* When everything asked is answered. */
 const settled = page => page.waitForFunction(() => !asking && !again);
 
 /* A slider becomes that number, by keys alone. */
