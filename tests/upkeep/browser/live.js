@@ -166,6 +166,7 @@ async function notes(page, x, y) {
     await page.evaluate(() => { shown.notes = []; }); /* those of another pixel */
     await page.mouse.move(...await placeOf(page, x + 1, y));
     await page.mouse.move(...await placeOf(page, x, y));
+    await page.waitForTimeout(100); /* until it rests there */
     await page.waitForFunction(() => shown.notes.length > 0 && !asking && !again);
     await settled(page);
     return page.evaluate('shown.notes.join("\\n")');
