@@ -4,9 +4,8 @@
  *     benchmark [-o DIR] [STEP...]
  *
  * measures the lessons whose names contain one of the STEPs (all without one), prints a table, and
- * writes DIR/bench.json and a chart for each lesson, DIR/bench/stepNN_name.svg. Each lesson takes
- * about 10 seconds; the environment variable BENCH_SECONDS gives another number (of seconds a
- * lesson).
+ * draws a chart for each lesson, DIR/bench/stepNN_name.svg. Each lesson takes about 10 seconds;
+ * the environment variable BENCH_SECONDS gives another number (of seconds a lesson).
  */
 #include "bench.h"
 
@@ -24,6 +23,15 @@
 enum { SECONDS_DEFAULT = 10 };
 
 /* ---- For the lessons ---- */
+
+void *bench_memory(size_t count, size_t size) {
+    void *memory = calloc(count, size);
+    if (memory == NULL) {
+        fprintf(stderr, "benchmark: out of memory\n");
+        exit(1);
+    }
+    return memory;
+}
 
 bool bench_read_model(struct model *model, const char *name, struct error *error) {
     char path[1024];
@@ -66,21 +74,14 @@ static bool is_wanted(const struct bench_lesson *lesson, const struct options *o
     return options->step_count == 0;
 }
 
-static bool save(const struct bytes *bytes, const char *directory, const char *name,
-                 struct error *error) {
-    char path[1024];
-    if (snprintf(path, sizeof path, "%s/%s", directory, name) >= (int)sizeof path) {
-        return error_set(error, "%s: the name is too long", directory);
-    }
-    return file_write(path, bytes->data, bytes->size, error);
-}
-
 static bool save_chart(const struct bench_lesson *lesson, const struct bench_results *results,
                        const char *directory, struct error *error) {
-    char name[128];
+    char path[1024];
     struct bytes svg = {0};
-    snprintf(name, sizeof name, "bench/%s.svg", lesson->step);
-    bool done = chart_draw(lesson, results, &svg, error) && save(&svg, directory, name, error);
+    int length = snprintf(path, sizeof path, "%s/bench/%s.svg", directory, lesson->step);
+    bool done =
+        (length < (int)sizeof path || error_set(error, "%s: the name is too long", directory)) &&
+        chart_draw(lesson, results, &svg, error) && file_write(path, svg.data, svg.size, error);
     bytes_free(&svg);
     return done;
 }
@@ -106,32 +107,24 @@ static bool check_errors(const struct bench_lesson *lesson, const struct bench_r
 }
 
 static bool measure_lessons(const struct options *options, struct error *error) {
-    struct bytes text = {0};
-    struct output json = {&text, error, true};
-    int count = 0;
-    report_begin(&json, options->seconds);
-    for (size_t i = 0; json.done && bench_lessons[i] != NULL; i++) {
+    bool done = true, any = false;
+    for (size_t i = 0; done && bench_lessons[i] != NULL; i++) {
         const struct bench_lesson *lesson = bench_lessons[i];
         struct bench_results results = {0};
         if (!is_wanted(lesson, options)) {
             continue;
         }
-        json.done = bench_measure(lesson, options->seconds, &results, error) &&
-                    check_errors(lesson, &results, error) &&
-                    save_chart(lesson, &results, options->directory, error);
-        if (json.done) {
-            report_lesson(&json, lesson, &results, count++ == 0);
+        any = true;
+        done = bench_measure(lesson, options->seconds, &results, error) &&
+               check_errors(lesson, &results, error) &&
+               save_chart(lesson, &results, options->directory, error);
+        if (done) {
             report_print(lesson, &results);
         }
     }
-    if (json.done && count == 0) {
-        json.done =
-            error_set(error, "no tests/lessons/stepNN_name/bench.c measures a step of that name");
-    }
-    report_end(&json);
-    bool done = json.done && save(&text, options->directory, "bench.json", error);
-    bytes_free(&text);
-    return done;
+    return any ? done
+               : error_set(error,
+                           "no tests/lessons/stepNN_name/bench.c measures a step of that name");
 }
 
 int main(int argc, char **argv) {

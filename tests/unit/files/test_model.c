@@ -465,37 +465,6 @@ static void test_binary_messages(void) {
     }
 }
 
-/* What is not asked for is counted and not read, in the quick way and in the careful one, whatever
- * is wrong with it. */
-static void test_parts(void) {
-    static const char *const texts[] = {
-        "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 1\nvt 1 1\nvn 0 0 1\nf 1/1/1 2/2/-1 3/-1/1\n",
-        "v 0 0 0\nv 1 0 \\\n0\nv 0 1 0\nf 1/1/1 2/2/1 3/2/1\nvt 0 1\nvt 1 1\nvn 0 0 1\n",
-        SQUARE "vt what\nf 1/1 2/1 3/9\n",
-        SQUARE "vn 1\nf 1//1 2//-4 3//0\n",
-        SQUARE "l what\nf 1//0 2// 3/0/\n",
-    };
-    for (size_t i = 0; i < 5; i++) {
-        for (unsigned parts = 0; parts <= MODEL_ALL_PARTS; parts++) {
-            bool uvs = (parts & MODEL_UVS) != 0, normals = (parts & MODEL_NORMALS) != 0;
-            bool right = !(i == 2 && uvs) && !(i == 3 && normals);
-            struct model m = {0};
-            struct error error = {0};
-            CHECK_ROW(obj_decode(&m, texts[i], strlen(texts[i]), parts, &error) == right, texts[i]);
-            if (right) {
-                bool has_uv = uvs && i < 2, has_normal = normals && i < 2;
-                CHECK(m.face_count == 1 && m.position_count == (i < 2 ? 3 : 4));
-                CHECK(m.uv_count == (has_uv ? 2 : 0) && m.normal_count == (has_normal ? 1 : 0));
-                CHECK(m.faces[0].corner[1].uv == (has_uv ? 1 : MODEL_NONE));
-                CHECK(m.faces[0].corner[1].normal == (has_normal ? 0 : MODEL_NONE));
-                CHECK(m.warning_line[MODEL_UVS_MISSING] == 0);
-                CHECK(m.warning_line[MODEL_NORMALS_MISSING] == 0);
-            }
-            model_free(&m);
-        }
-    }
-}
-
 /* Lines are read where they are asked for, and alone are a model only there. */
 static void test_lines(void) {
     static const char *const texts[] = {
@@ -674,6 +643,6 @@ static void test_other_names(void) {
 
 UNIT_MAIN(TEST(test_obj), TEST(test_obj_numbers), TEST(test_off), TEST(test_off_smallest),
           TEST(test_colors), TEST(test_face_colors), TEST(test_face_color_values),
-          TEST(test_messages), TEST(test_binary_messages), TEST(test_parts), TEST(test_lines),
+          TEST(test_messages), TEST(test_binary_messages), TEST(test_lines),
           TEST(test_refused_files), TEST(test_textures), TEST(test_texture_names),
           TEST(test_other_names))
