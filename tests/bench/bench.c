@@ -4,8 +4,8 @@
  *     benchmark [-o DIR] [STEP...]
  *
  * measures the lessons whose names contain one of the STEPs (all without one), prints a table, and
- * draws a chart for each lesson, DIR/bench/stepNN_name.svg. Each lesson takes about 10 seconds;
- * the environment variable BENCH_SECONDS gives another number (of seconds a lesson).
+ * writes DIR/bench/all.json and a chart for each lesson, DIR/bench/stepNN_name.svg. Each lesson
+ * takes about 10 seconds; the environment variable BENCH_SECONDS gives another number.
  */
 #include "bench.h"
 
@@ -74,15 +74,30 @@ static bool is_wanted(const struct bench_lesson *lesson, const struct options *o
     return options->step_count == 0;
 }
 
+static bool save(const struct bytes *bytes, const char *directory, const char *name,
+                 const char *ending, struct error *error) {
+    char path[1024];
+    int length = snprintf(path, sizeof path, "%s/bench/%s.%s", directory, name, ending);
+    return (length < (int)sizeof path || error_set(error, "%s: the name is too long", directory)) &&
+           file_write(path, bytes->data, bytes->size, error);
+}
+
 static bool save_chart(const struct bench_lesson *lesson, const struct bench_results *results,
                        const char *directory, struct error *error) {
-    char path[1024];
     struct bytes svg = {0};
-    int length = snprintf(path, sizeof path, "%s/bench/%s.svg", directory, lesson->step);
-    bool done =
-        (length < (int)sizeof path || error_set(error, "%s: the name is too long", directory)) &&
-        chart_draw(lesson, results, &svg, error) && file_write(path, svg.data, svg.size, error);
+    bool done = chart_draw(lesson, results, &svg, error) &&
+                save(&svg, directory, lesson->step, "svg", error);
     bytes_free(&svg);
+    return done;
+}
+
+static bool save_json(const struct bytes *rows, const char *directory, struct error *error) {
+    struct bytes json = {0};
+    bool done = (bytes_append(&json, "[", 1) && bytes_append(&json, rows->data, rows->size) &&
+                 bytes_append(&json, "]\n", 2)) ||
+                error_out_of_memory(error);
+    done = done && save(&json, directory, "all", "json", error);
+    bytes_free(&json);
     return done;
 }
 
@@ -107,6 +122,7 @@ static bool check_errors(const struct bench_lesson *lesson, const struct bench_r
 }
 
 static bool measure_lessons(const struct options *options, struct error *error) {
+    struct bytes rows = {0};
     bool done = true, any = false;
     for (size_t i = 0; done && bench_lessons[i] != NULL; i++) {
         const struct bench_lesson *lesson = bench_lessons[i];
@@ -117,14 +133,19 @@ static bool measure_lessons(const struct options *options, struct error *error) 
         any = true;
         done = bench_measure(lesson, options->seconds, &results, error) &&
                check_errors(lesson, &results, error) &&
-               save_chart(lesson, &results, options->directory, error);
+               save_chart(lesson, &results, options->directory, error) &&
+               report_add_json(lesson, &results, &rows, error);
         if (done) {
             report_print(lesson, &results);
         }
     }
-    return any ? done
-               : error_set(error,
-                           "no tests/lessons/stepNN_name/bench.c measures a step of that name");
+    if (!any) {
+        done =
+            error_set(error, "no tests/lessons/stepNN_name/bench.c measures a step of that name");
+    }
+    done = done && save_json(&rows, options->directory, error);
+    bytes_free(&rows);
+    return done;
 }
 
 int main(int argc, char **argv) {

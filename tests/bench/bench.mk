@@ -31,9 +31,11 @@ $(BUILD)/benchmark: $(filter-out %/figures.o,$(call OBJECTS_OF,bench oracle)) $(
                     $(BUILD)/tests/check/page/escape.o $(BUILD)/libcommon.a
 	$(Q)$(LINK) $(OPENMP) $^ -lm -o $@
 
-bench: $(BUILD)/benchmark models
+# With lesson 9 also what it is worth to skip, where most of a scene is hidden or off screen.
+bench: $(BUILD)/benchmark $(BUILD)/bench-frame models
 	@mkdir -p $(BUILD)/bench
 	$(Q)$(BUILD)/benchmark -o $(BUILD) $(STEP)
+	$(Q)$(if $(filter-out 9 09,$(STEP)),,$(BUILD)/bench-frame --skipping --frames 7)
 
 # The charts of the last `make bench` become those of the lessons.
 charts:
@@ -48,7 +50,7 @@ charts:
 
 # With Mesa's renderer beside ours where it is installed. Whether it is there is asked when it
 # matters.
-ifneq ($(filter bench-frame $(BUILD)/bench-frame,$(MAKECMDGOALS)),)
+ifneq ($(filter bench bench-frame $(BUILD)/bench-frame,$(MAKECMDGOALS)),)
 HAS_MESA := $(shell printf '%s\n' '\#include <EGL/egl.h>' '\#include <GL/glcorearb.h>' | \
                     $(CC) -E - >/dev/null 2>&1 && echo yes)
 endif

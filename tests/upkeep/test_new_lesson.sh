@@ -49,6 +49,7 @@ export BENCH_SECONDS=0.05
 course bench STEP=11
 course charts
 cmp "build/bench/$new.svg" "$new/figures/bench.svg" || wrong "the copy has no chart"
+grep -q "\"$new\"" build/bench/all.json || wrong "all.json does not name the copy"
 
 course lesson-figures
 # (Drawings, which are written by hand, have no program; `make mistakes` draws the wrong pictures.)

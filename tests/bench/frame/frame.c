@@ -27,6 +27,7 @@
 #include "llvmpipe.h"
 #include "options.h"
 #include "ours.h"
+#include "skipping.h"
 #include "table.h"
 
 #include "bench/timing.h"
@@ -246,6 +247,9 @@ static void tear_down(struct bench *b) {
 }
 
 static bool run(const struct options *options, struct error *error) {
+    if (options->skipping) {
+        return skipping_measure(options->model, options->frames, error);
+    }
     struct bench *bench = calloc(1, sizeof *bench);
     if (bench == NULL) {
         return error_out_of_memory(error);

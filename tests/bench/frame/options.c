@@ -47,6 +47,8 @@ bool options_read(struct options *o, int argc, char **argv, struct error *error)
         {"--frames", "N", "frames that are timed of each (default 15)", read_frames, &o->frames},
         {"--threads", "N", "that draw, on both sides (default 1)", read_threads, &o->threads},
         {"--quick", "", "3 frames, at the first size, of the model as it is", be_quick, o},
+        {"--skipping", "", "only what each shortcut is worth, where much is hidden or off screen",
+         argument_flag, &o->skipping},
         {"--clear-all", "",
          "clear all of the image, not only what the last frame has drawn, as\nllvmpipe does",
          clear_all, &o->clearing},

@@ -16,6 +16,7 @@ struct options {
     size_t frames;          /* timed of each, 1..FRAMES_LIMIT */
     size_t threads;         /* that draw, on both sides, 1..THREADS_LIMIT */
     bool quick;             /* at the first size, of the model as it is */
+    bool skipping;          /* measure only what shortcuts are worth */
     enum clearing clearing; /* how the course's side clears the image */
     bool help;              /* nothing but that */
 };

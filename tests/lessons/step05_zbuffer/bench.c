@@ -176,8 +176,6 @@ static void pile_find_nearest(struct pile *pile) {
 
 /* ---- Several ways to decide ---- */
 
-enum { FILE_ORDER, PAINTER, HOUSE };
-
 static void run_knot(int choice) {
     const struct pile *pile = &bench.piles[PILE_KNOT];
     struct canvas canvas = {.image = &bench.image, .depth = bench.buffer};
@@ -343,7 +341,7 @@ static bool depth_setup(struct error *error) {
 static const struct bench_version knot_versions[] = {
     VERSION("1: order of the file", FILE_ORDER),
     VERSION("2: painter's order", PAINTER),
-    HOUSE_VERSION("main.c", HOUSE),
+    HOUSE_VERSION("main.c", DEPTH_BUFFER),
 };
 
 static const struct bench_version sheets_versions[] = {

@@ -1,0 +1,15 @@
+/* What each of the pipeline's shortcuts is worth where there is much that nobody sees. */
+#ifndef FRAME_SKIPPING_H
+#define FRAME_SKIPPING_H
+
+#include "base/error.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/* Draw a head, a head behind a wall, 64 spheres one in the other and a crowd of 400 heads, each
+ * `frames` times (at most FRAMES_LIMIT) in each way, with one thread, in turn; print the median
+ * times. The head is the model of that path. */
+bool skipping_measure(const char *model, size_t frames, struct error *error);
+
+#endif
