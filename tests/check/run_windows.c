@@ -131,7 +131,7 @@ static HANDLE start(const struct run_command *command, const struct place *place
 
 /* ---- Waiting for it ---- */
 
-/* Read what is there, at most one buffer; false when there is nothing. */
+/* Read what has come, at most one buffer; false when nothing has. */
 static bool read_messages(HANDLE said, struct bytes *messages) {
     char buffer[65536];
     DWORD there = 0, length = 0;
