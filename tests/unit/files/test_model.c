@@ -158,8 +158,11 @@ static void test_off(void) {
         /* A number of edges, on the next line too, or none. */
         {"OFF\n3 2\n0\n" THREE "3 0 1 2\n3 0 1 2\n", TRIANGLE " " TRIANGLE},
         {"OFF\n3 1 #\n\n# edges\n5 # 5\n" THREE "3 0 1 2\n", TRIANGLE},
+        {"OFF\n3 1\n3 0 0 0\n1 0 0\n1 1 0\n3 0 1 2\n", TRIANGLE},
         {"OFF\n4 1\n3\n" THREE "0 1 3\n3 0 1 2\n", TRIANGLE}, /* looks like a face */
+        {"OFF\n3 1\n0\n0\n0\n1\n0\n0\n1\n1\n0\n3\n0\n1\n2\n", TRIANGLE},
         {"OFF\n3\n1\n" THREE "3 0 1 2\n", TRIANGLE},
+        {"OFF\n3\n1\n0\n0\n0\n0\n1\n0\n0\n1\n1\n0\n3\n0\n1\n2\n", TRIANGLE},
         {"OFF 3 1 0 0 0 0 1 0 0 1 1 0 3 0 1 2", TRIANGLE},
         {"OFF 3\n1 0 0 0\n0 1 0 0 1\n1 0 3 0\n1 2 0.5 0.5 0.5\n", TRIANGLE},
         {"COFF\n3 1 0\n0 0\n0 255 0 0 255\n1 0 0 0\n51 0\n1 1 0 0 0 255 0\n3 0\n1 2\n", TRIANGLE},
@@ -382,6 +385,9 @@ static void test_messages(void) {
         {"OFF\n1 1 0\n0 0 0\n3 0 0 0\n3 0 0 0\n", "5: the file goes on after 1 faces"},
         {"OFF\n1 1\n0 0 0\n3 0 0 0\n\nend\n", "6: the file goes on after 1 faces"},
         {"OFF 1 2 0 0 0 0 3 0 0 0 3 0 0 0\n", "1: the file ends after 1 of 2 faces"},
+        /* Wrong in a face, and as a number of edges the 0 of the first vertex would fit. */
+        {"OFF\n4 1\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 9\n",
+         "7: face names vertex 9 of 4 (from 0)"},
         {"COFF\n1 1 0\n0 0 0\n3 0 0 0\n", "4: the file ends after 0 of 1 faces"},
         {"COFF\n1 1 0\n0 0 0 1 1\n", "3: the file ends after 0 of 1 vertices"},
         {"OFF 1 1 x\n0 0 0\n3 0 0 0\n", "1: 'x' is not a number of edges"},
