@@ -29,7 +29,7 @@ enum { IS_LITTLE_ENDIAN = 0 };
 
 /* ---- Fetching: once for each visible piece of a draw call ---- */
 
-/* The corners of a part of a clipped face become number i of those: mixed from those of the face. */
+/* The corners of a part of a clipped face become number i: mixed from those of the face. */
 KERNEL void put_clipped_corners(const struct call_band *band, const struct shader *shader,
                                 const struct piece *piece, struct corners_together *to, size_t i) {
     struct polygon polygon = pipeline_clip_face(band->call, piece->face);
