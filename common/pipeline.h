@@ -1,5 +1,5 @@
 /*
- * The drawing pipeline: given code from step 9 on, where the lesson explains it.
+ * The drawing pipeline: given code from lesson 9 on, where the lesson explains it.
  *
  *     SHADER(toon, .varying_count = 1, .vertex = gouraud_vertex, .fragment = toon_fragment);
  *
