@@ -257,17 +257,6 @@ static bool replace_file(struct error *error) {
 
 /* ---- Images ---- */
 
-static bool decode_tga_map(struct error *error) {
-    static const uint8_t file[] = {
-        0, 1, 1, 0, 0, 2, 0, 16, 0, 0, 0, 0, 2,
-        0, 2, 0, 8, 0, 1, 2, 3,  4, 0, 1, 1, 0}; /* 2x2, two colours of 16 bits */
-    struct image image;
-    bool done = tga_decode(&image, file, sizeof file, error);
-    CHECK(done || image.pixels == NULL);
-    image_free(&image);
-    return done;
-}
-
 /* Encoders append: what was there stays, also after an error. */
 static bool kept_start(const struct bytes *out) {
     return out->size >= 3 && memcmp(out->data, "abc", 3) == 0;
@@ -543,7 +532,6 @@ static void test_each_allocation(void) {
         {"file_read of a pipe", read_pipe, 0},
         {"file_write", make_file, 0},
         {"file_write over an old file", replace_file, 0},
-        {"tga_decode with colour map", decode_tga_map, 0},
         {"tga_encode, ppm_encode, png_encode", encode_all, 0},
         {"png_encode of a large image", encode_large, 0},
         {"text_scene_decode", decode_scene, 0},
