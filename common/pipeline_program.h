@@ -2,7 +2,7 @@
  * What every scene that draws with the pipeline does around pipeline_draw().
  *
  * program.h and pipeline.h know nothing of each other; this header knows both, so that the lessons
- * before step 9 carry no pipeline with them, and a pipeline needs no program. Such a program says
+ * before lesson 9 carry no pipeline with them, and a pipeline needs no program. Such a program says
  *
  *     .state_size = sizeof(struct pipeline),
  *     .prepare = pipeline_begin_drawing,

@@ -226,7 +226,7 @@ static bool is_color_depth(unsigned bits) {
     return bits == 15 || bits == 16 || bits == 24 || bits == 32;
 }
 
-/* Is the pixel's depth one that goes with the type? */
+/* Does the type of the file allow so many bits a pixel? */
 static bool check_tga_depth(const struct tga *tga, struct error *error) {
     bool color = tga->type == TGA_TRUE_COLOR;
     bool grey_alpha = tga->type == TGA_GREY && tga->depth == 16;
@@ -366,19 +366,15 @@ static bool convert_pixels(struct tga *tga, size_t count, uint8_t *pixels, struc
 
 /* Fill `count` pixels with copies of the one before them. */
 static void repeat_pixel(uint8_t *pixels, size_t count, size_t pixel_size) {
-    uint8_t pixel[4] = {0};
-    memcpy(pixel, pixels - pixel_size, pixel_size);
-    for (size_t i = 0; i < count; i++) {
-        for (size_t c = 0; c < pixel_size; c++) {
-            *pixels++ = pixel[c];
-        }
+    for (size_t i = 0; i < count; i++, pixels += pixel_size) {
+        memcpy(pixels, pixels - pixel_size, pixel_size);
     }
 }
 
 enum { BLOCK = 128 }; /* bytes; the longest packets are whole blocks */
 
-/* Copy whole blocks, of which the last may reach past `size` bytes: a packet is short, and how many
- * steps a copy takes cannot be foretold, so the fewer the better. */
+/* Copy whole blocks. The last may reach past `size` bytes: a packet is short, and no processor can
+ * predict how many steps its copy takes, so the fewer the better. */
 static inline void copy_blocks(uint8_t *restrict to, const uint8_t *restrict from, size_t size) {
     for (size_t i = 0; i < size; i += BLOCK) {
         memcpy(to + i, from + i, BLOCK);
@@ -538,7 +534,7 @@ static size_t equal_pixels(const uint8_t *equal, size_t count) {
 static size_t pixels_before_run(const uint8_t *equal, size_t count, size_t worth) {
     const uint8_t *run = equal, *end = equal + count;
     while ((run = memchr(run, 1, (size_t)(end - run))) != NULL) {
-        if (equal_pixels(run, worth - 1) == worth - 1) {
+        if (run[worth - 2] != 0) { /* where two are enough, that is known */
             return (size_t)(run - equal);
         }
         run++;
@@ -556,9 +552,11 @@ static inline size_t pack_row_of(const uint8_t *row, size_t width, uint8_t *equa
     compare_neighbours(row, width, equal, size);
     for (size_t x = 0; x < width;) {
         size_t limit = width - x < TGA_PACKET_LIMIT ? width - x : TGA_PACKET_LIMIT;
-        size_t count = 1 + equal_pixels(equal + x, limit - 1), stored = 1;
-        bool run = count > 1;
-        if (!run) { /* up to the next run that is worth it and begins well before the limit */
+        size_t count = 1, stored = 1;
+        bool run = equal[x] != 0;
+        if (run) {
+            count += equal_pixels(equal + x, limit - 1);
+        } else { /* up to the next run that is worth it and begins well before the limit */
             size_t look = limit > worth ? limit - worth : 0;
             size_t before = pixels_before_run(equal + x + 1, look, worth);
             stored = count = before < look ? 1 + before : limit;

@@ -81,7 +81,7 @@ static inline struct shown show_call(const char *call) {
     return shown;
 }
 
-/* The next call is this one. Is it wanted? Then its line is begun. Behind a `+` stand tasks that it
+/* The next call is this one. Is it wanted? Then its line is begun. Behind a `+` are tasks that it
  * needs, too ("10a.2+10b.1"): it is not called without them. */
 static inline bool number_begin(const char *task, const char *call, struct shown right) {
     bool wanted = number_state.next >= number_state.first;
@@ -262,7 +262,7 @@ int main(int argc, char **argv) {
         fprintf(stderr, "usage: numbers FILE FIRST [TASK ...]\n");
         return 2;
     }
-    number_state.file = fopen(argv[1], "a");
+    number_state.file = fopen(argv[1], "ab");
     number_state.first = strtol(argv[2], NULL, 10);
     number_state.without = argv + 3;
     if (number_state.file == NULL) {

@@ -29,7 +29,7 @@ static void read_color(struct text *text, float color[3]) {
     }
 }
 
-/* Up to three numbers, of which two count. */
+/* Up to three numbers. Only the first two count. */
 static void read_pair(struct text *text, float pair[2]) {
     for (int i = 0; i < 3; i++) {
         struct text ahead = *text;

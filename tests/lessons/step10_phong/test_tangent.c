@@ -7,7 +7,7 @@
 static const struct shader *const shaders[] = {&mapped,       &full,     &weight_mapped,
                                                &power_mapped, &textured, &plain};
 
-/* The picture of a shader of the lesson, or of the one that stands for it. */
+/* The picture of a shader of the lesson, or of the one that replaces it. */
 static struct image draw(struct drawing drawing, size_t way) {
     struct image image = new_image(BOARD_SIZE, BOARD_SIZE, IMAGE_BGR);
     struct pipeline pipeline = {0};

@@ -308,7 +308,7 @@ static bool write_from_elsewhere(const char *path) {
     return chdir("/proc") == 0 && file_write(path, "new", 3, &error);
 }
 
-/* The new file is made beside the old one: the directory of the caller does not matter. */
+/* The new file is made next to the old one: the caller's directory does not matter. */
 static void test_write_from_elsewhere(void) {
     struct place place = place_create();
     if (access("/proc", F_OK) == 0) { /* on Linux */
@@ -358,7 +358,7 @@ static bool write_much(const char *path) {
     return file_write(path, much, sizeof much, &error);
 }
 
-/* Whenever it is told to end, a program leaves the whole file or none. */
+/* Whenever it is ended, a program leaves the whole file or none. */
 static void test_ended_while_writing(void) {
     struct place place = place_create();
     for (int i = 0; i < 60; i++) {

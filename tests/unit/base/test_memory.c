@@ -477,7 +477,7 @@ static const struct program text_program = {.name = "probe",
                                             .scenes = scenes,
                                             .scene_count = 2};
 
-/* Run in a directory of its own, standard output thrown away and standard error kept. Status 1 is
+/* Run in its own directory, standard output thrown away and standard error kept. Status 1 is
  * an error of which the message was printed; images that were saved before it are complete, and
  * nothing else is there. */
 static bool run_program(const struct program *program, char *arguments[5], struct error *error) {

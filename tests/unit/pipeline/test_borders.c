@@ -98,7 +98,7 @@ SHADER(discarding_shader, .varying_count = 2, .vertex = number_vertex, .fragment
 SHADER(flat_discarding_shader, .varying_count = 2, .flat = true, .vertex = flat_vertex,
        .fragment = number_fragment, .discards = true);
 
-/* Without loops of its own. */
+/* Without its own loops. */
 static const struct shader called_shader = {
     .varying_count = 2, .vertex = number_vertex, .fragment = number_fragment};
 

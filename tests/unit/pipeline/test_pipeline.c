@@ -297,7 +297,7 @@ static void test_scale_of_clip_space(void) {
 
 /* Two faces share an edge that is cut at the near plane, in the middle between two steps of 1/256
  * pixel, where the last bit decides which of them it becomes. Pixel centres of a column lie on the
- * edge or 1/256 pixel beside it: were the cut not the same from both ends, the whole column would
+ * edge or 1/256 pixel off it: were the cut not the same from both ends, the whole column would
  * be drawn twice or not at all. */
 static void test_cut_from_both_ends(void) {
     static struct mesh mesh;
@@ -324,7 +324,7 @@ static void test_cut_from_both_ends(void) {
     }
 }
 
-/* Nothing nearer than w = 1/128 is drawn, and all that is not nearer. */
+/* Nothing nearer than w = 1/128 is drawn, and everything else is. */
 static void test_nearest_w(void) {
     static struct mesh mesh;
     static const struct {

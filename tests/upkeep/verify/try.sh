@@ -40,7 +40,7 @@ signs_of() {
         END { gsub(/;/, "\n", signs); print signs; exit !found }' "$1" 2>/dev/null
 }
 
-# A mistake that no picture tells is told by what it counts, and by which pictures of the whole
+# A mistake that no picture shows is known by what it counts, and by which pictures of the whole
 # lesson are right (tests/check/counters.h), when not more than four are the same.
 judge_counted() {
     check --counted "$place/shown"
@@ -101,7 +101,7 @@ judge() {
         *) judge_looks ;;
         esac
         ;;
-    undone:1:TODO\ * | undone:1:BUILD*) ;; # all that fails needs it, or nothing can be built
+    undone:1:TODO\ * | undone:1:BUILD*) ;; # everything that fails needs it, or nothing can be built
     starter:1:TODO\ 0/* | accept:0:* | solution:0:*' exact') ;; # as it should be
     mistake:0:*) finding PASSES "${said#PASS } ($says)$(describe_others)" ;;
     accept:1:*) finding FAILS "$said ($says)" ;;
