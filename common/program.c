@@ -253,9 +253,8 @@ static void say(const struct command *command, const struct error *error) {
     fprintf(stderr, "%s: %s\n", command->run.program->name, error->message);
 }
 
-/* Say once what was wrong with the files of a model that is drawn all the same. */
-static void warn_of_file(struct command *command) {
-    struct model *model = &command->run.model;
+/* Say once what was wrong with the file of a model that is drawn all the same. */
+static void warn_of_file(const struct command *command, struct model *model) {
     for (int i = 0; i < MODEL_WARNINGS; i++) {
         struct error warning;
         if (model->warning_line[i] > 0) {
@@ -265,6 +264,14 @@ static void warn_of_file(struct command *command) {
             say(command, &warning);
         }
         model->warning_line[i] = 0;
+    }
+}
+
+/* The same of all models, and of textures. */
+static void warn_of_files(struct command *command) {
+    warn_of_file(command, &command->run.model);
+    for (size_t i = 0; i < command->run.more_count; i++) {
+        warn_of_file(command, &command->run.others[i]);
     }
     for (int i = 0; i < MODEL_TEXTURE_KINDS; i++) {
         struct error *replaced = &command->run.replaced[i];
@@ -447,7 +454,7 @@ static bool draw_scene(struct command *command, const struct scene *given, struc
     struct stage stage = {0};
     bool done = frames_create(&frames, options, &scene, error) &&
                 stage_begin(&stage, &command->run, &scene, frames.width, frames.height, error);
-    warn_of_file(command);
+    warn_of_files(command);
     if (done) {
         suggest_fit(command, stage.drawing.model);
     }
@@ -529,6 +536,8 @@ static bool draw_scenes(struct command *command, struct error *error) {
     const struct program *program = command->run.program;
     bool done = true;
     command->run.input = command->options.input;
+    command->run.more = command->options.more;
+    command->run.more_count = command->options.more_count;
     for (size_t i = 0; i < program->scene_count; i++) {
         const struct scene *scene = &program->scenes[i];
         command->run.needs |= is_chosen(command, scene) ? scene->needs : 0;

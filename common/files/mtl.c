@@ -5,6 +5,7 @@
 #include "base/text.h"
 
 #include <limits.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -17,16 +18,29 @@ static struct model_material *find_material(struct model *model, struct word nam
     return NULL;
 }
 
-/* "r g b", or one number for all three. Colours are cut to 0..1. */
-static void read_color(struct text *text, float color[3]) {
-    double number = 0;
+/* "r g b", or one number for all three, or levels where one is above 2. Colours are cut to 0..1.
+ * False where one was, and where there is none, as after "spectral": then the colour stays. */
+static bool read_color(struct text *text, float color[3]) {
+    double number[3], last = NAN, most = 0;
+    bool right = true;
     for (int i = 0; i < 3; i++) {
         double next;
-        if (text_next_number(text, &next).length > 0) {
-            number = next;
-        }
-        color[i] = number > 0 ? (number < 1 ? (float)number : 1) : 0; /* NaN is 0 */
+        last = text_next_number(text, &next).length > 0 ? next : last;
+        number[i] = last;
+        most = fmax(most, last);
+        right = right && last >= 0 && last <= 1;
     }
+    for (int i = 0; i < 3 && !isnan(number[0]); i++) {
+        double share = most > 2 ? number[i] / 255 : number[i];
+        color[i] = share > 0 ? (share < 1 ? (float)share : 1) : 0; /* NaN is 0 */
+    }
+    return right;
+}
+
+/* Programs write a Ka of 0, 0.2 or 1 with every material, and mean nothing by it. */
+static bool is_usual_ambient(const float color[3]) {
+    float grey = color[0];
+    return grey == color[1] && grey == color[2] && (grey == 0 || grey == 0.2F || grey == 1);
 }
 
 /* Up to three numbers, of which two count. */
@@ -129,8 +143,11 @@ static bool read_statement(struct text *text, struct word keyword, const char *d
     bool is_bump = is_keyword(keyword, "map_Bump") || is_keyword(keyword, "bump");
     if (is_keyword(keyword, "Kd")) {
         read_color(text, material->color);
+    } else if (is_keyword(keyword, "Ka")) {
+        material->has_ambient =
+            read_color(text, material->ambient) && !is_usual_ambient(material->ambient);
     } else if (is_keyword(keyword, "Ks")) {
-        float color[3];
+        float color[3] = {0};
         read_color(text, color);
         material->specular = (color[0] + color[1] + color[2]) / 3;
     } else if (is_keyword(keyword, "Ns")) {

@@ -24,7 +24,9 @@ struct chosen_value {
 /* What the scenes of one run share. Set the first part, leave the second zero. */
 struct run {
     const struct program *program;
-    const char *input;             /* a model instead of the course's own; NULL: none */
+    const char *input;       /* a model instead of the course's own; NULL: none */
+    const char *const *more; /* models behind it */
+    size_t more_count;
     const struct text_scene *text; /* NULL unless it is a text scene */
     bool no_skip, stats, probed;
     struct pixel probe;                /* where `probed` */
@@ -36,12 +38,13 @@ struct run {
     const char *texture_files[MODEL_TEXTURE_KINDS]; /* for the model; NULL: those next to it */
     unsigned needs; /* of all scenes that will be drawn, so that a model is read once; 0: unknown */
 
-    struct model model;          /* loaded when the first scene needs it */
-    const char *model_file;      /* which file it is; NULL while none is loaded */
-    unsigned model_parts;        /* what of it is loaded, of enum model_part */
-    struct loaded unloaded;      /* of models that made room for others */
-    bool has_materials;          /* the model has, and is drawn by them, part for part */
-    struct parts parts;          /* as the last scene had them */
+    struct model model;                    /* loaded when the first scene needs it */
+    struct model others[MODELS_LIMIT - 1]; /* with it */
+    const char *model_file;                /* which file it is; NULL while none is loaded */
+    unsigned model_parts;                  /* what of it is loaded, of enum model_part */
+    struct loaded unloaded;                /* of models that made room for others */
+    bool has_materials;                    /* the model has, and is drawn by them, part for part */
+    struct parts parts;                    /* as the last scene had them */
     struct texture white, shiny; /* of one texel, for a model without textures; empty at first */
     /* Textures that the model has not, or that cannot be read: why, and what is drawn instead. The
      * message is empty once it is said. */
