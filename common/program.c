@@ -361,6 +361,9 @@ static const char *advise(const struct command *command, const struct stage *sta
     const struct options *options = &command->options;
     const struct program *program = command->run.program;
     struct box3 box = model_box(stage->drawing.model);
+    if (stage->drawing.parts != NULL && stage->drawing.part_count == 0) {
+        return ": its materials hide all faces (d 0)";
+    }
     bool placed =
         program->takes_camera && !(same_point(stage->scene.eye, program->defaults.eye) &&
                                    same_point(stage->scene.center, program->defaults.center));

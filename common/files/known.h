@@ -7,8 +7,8 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* Does the file begin as those of a known kind do? Then the message says of which, and what helps,
- * or else what was wanted: "an OBJ or OFF file". Otherwise the message stays as it is. */
-bool error_known_file(struct error *error, const void *data, size_t size, const char *wanted);
+/* Does the file begin as those of a known kind do? Then the message says of which, and what helps;
+ * what was wanted is a model or a picture. Otherwise the message stays as it is. */
+bool error_known_file(struct error *error, const void *data, size_t size, bool model_wanted);
 
 #endif

@@ -4,6 +4,7 @@
 #include "base/file.h"
 #include "base/text.h"
 
+#include <ctype.h>
 #include <limits.h>
 #include <math.h>
 #include <stdlib.h>
@@ -90,29 +91,58 @@ static void read_options(struct text *text, struct model_material *material) {
     }
 }
 
-/* The path of a texture: next to the materials or, where it is not there (many files name
- * directories of their maker's machine), by its last part alone. The caller frees it. */
-static char *texture_path(struct word name, const char *directory) {
-    if (name.length == 0 || name.length > INT_MAX) {
-        return NULL;
+/* Is the file there, perhaps with its extension in small or in capital letters? Then the path has
+ * these. */
+static bool find_in_any_case(char *path) {
+    char *dot = strrchr(path, '.'), given[8];
+    if (file_exists(path) || dot == NULL || strlen(dot) >= sizeof given) {
+        return file_exists(path);
     }
-    char *path = string_format("%s%.*s", directory, (int)name.length, name.start);
-    for (char *p = path; p != NULL && *p != '\0'; p++) {
-        if (*p == '\\') {
-            *p = '/';
+    strcpy(given, dot);
+    for (int letter = 0x20; letter >= 0; letter -= 0x20) {
+        for (size_t i = 1; given[i] != '\0'; i++) {
+            dot[i] =
+                isalpha((unsigned char)given[i]) ? (char)((given[i] & ~0x20) | letter) : given[i];
+        }
+        if (file_exists(path)) {
+            return true;
         }
     }
+    strcpy(dot, given);
+    return false;
+}
+
+char *mtl_path(struct word name, const char *directory) {
+    bool quoted = name.length > 1 && name.start[0] == '"' && name.start[name.length - 1] == '"';
+    int length = name.length > INT_MAX ? 0 : (int)name.length - (quoted ? 2 : 0);
+    char *path =
+        name.length == 0 ? NULL : string_format("%s%.*s", directory, length, name.start + quoted);
+    for (char *p = path; p != NULL && *p != '\0'; p++) {
+        *p = *p == '\\' ? '/' : *p;
+    }
     const char *slash = path == NULL ? NULL : strrchr(path, '/');
-    if (slash == NULL || file_exists(path)) {
+    if (path == NULL || find_in_any_case(path) || slash == NULL) {
         return path;
     }
     char *next_to = string_format("%s%s", directory, slash + 1);
-    if (next_to == NULL || !file_exists(next_to)) {
+    if (next_to == NULL || !find_in_any_case(next_to)) {
         free(next_to);
         return path; /* as it is written, for messages */
     }
     free(path);
     return next_to;
+}
+
+/* The name before a comment. (A name may hold blanks, too.) */
+static struct word without_comment(struct word name) {
+    for (size_t i = 1; i + 1 < name.length; i++) {
+        if (name.start[i] == '#' && name.start[i - 1] == ' ') {
+            for (name.length = i; name.length > 0 && name.start[name.length - 1] == ' ';) {
+                name.length--;
+            }
+        }
+    }
+    return name;
 }
 
 /* A map of the material: its options, and its path instead of the last one. */
@@ -121,7 +151,11 @@ static bool read_map(struct text *text, struct model_material *options, const ch
     read_options(text, options);
     struct word name = text_rest_of_line(text);
     free(*path);
-    *path = texture_path(name, directory);
+    *path = mtl_path(name, directory);
+    if (*path != NULL && !file_exists(*path)) {
+        free(*path);
+        *path = mtl_path(without_comment(name), directory);
+    }
     return name.length == 0 || *path != NULL;
 }
 

@@ -89,8 +89,12 @@ static bool is_binary(const void *data, size_t size) {
     struct error ignored;
     struct off_kind kind;
     struct model_reader reader = {.error = &ignored};
-    return peek_keyword(&reader, data, size, &kind) &&
-           word_is(text_next_word(&reader.text), "BINARY");
+    if (!peek_keyword(&reader, data, size, &kind)) {
+        return false;
+    }
+    struct word word = text_next_word(&reader.text);
+    const char *p = word.start;
+    return word.length == 6 && over_prefix(&p, p + 6, "BINARY");
 }
 
 static bool read_count(struct model_reader *reader, struct word word, const char *what,

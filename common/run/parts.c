@@ -301,6 +301,9 @@ bool parts_make(struct parts *parts, struct model *model, struct error *missing,
     for (size_t slot = 0; done && slot < slots; slot++) {
         done = add_part(parts, model, begins, slot, missing);
     }
+    if (done && parts->count == 0) { /* all are hidden */
+        done = find_color(parts, white, &parts->part[0].diffuse);
+    }
     if (done) {
         parts->part[parts->count] = parts->part[0];
         parts->part[parts->count].model = *model;

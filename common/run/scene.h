@@ -21,7 +21,7 @@
 enum need {
     NEEDS_MODEL = 1,
     NEEDS_NORMALS = 2, /* at every corner: computed where the file has none */
-    NEEDS_COLORS = 4,  /* at every position: made from the normals where the file has none */
+    NEEDS_COLORS = 4,  /* at every position: its materials' or made of normals where it has none */
     NEEDS_DIFFUSE = 8, /* textures next to the model; what is missing is replaced */
     NEEDS_NORMAL_MAP = 16,
     NEEDS_SPECULAR = 32,

@@ -182,6 +182,7 @@ static unsigned needed_parts(unsigned needs) {
     unsigned textures = NEEDS_DIFFUSE | NEEDS_NORMAL_MAP | NEEDS_SPECULAR;
     return ((needs & normals) != 0 ? MODEL_NORMALS : 0) |
            ((needs & textures) != 0 ? MODEL_UVS : 0) |
+           ((needs & NEEDS_COLORS) != 0 ? MODEL_MATERIALS : 0) |
            ((needs & NEEDS_LINES) != 0 ? MODEL_LINES : 0);
 }
 

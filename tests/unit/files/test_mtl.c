@@ -93,6 +93,9 @@ static void test_statements(void) {
         {"newmtl a\nKa spectral x.rfl\nKa 0.5 nan 0.5\nKa\n", "1 1 1 none none", PLAIN},
         {"newmtl a\nmap_Kd wood.png\n", "1 1 1 d/wood.png none", PLAIN},
         {"newmtl a\nmap_Kd  old oak.png \r\n", "1 1 1 d/old oak.png none", PLAIN},
+        {"newmtl a\nmap_Kd \"old oak.png\"\n", "1 1 1 d/old oak.png none", PLAIN},
+        {"newmtl a\nmap_Kd oak.png  # of the table\n", "1 1 1 d/oak.png none", PLAIN},
+        {"newmtl a\nmap_Kd # none\nbump \"\"\n", "1 1 1 none d/", PLAIN},
         {"newmtl a\nmap_Kd C:\\maps\\oak.png\n", "1 1 1 d/C:/maps/oak.png none", PLAIN},
         {"newmtl a\nmap_Kd -mm 0 1 -bm 0.5 -t 1 2 2.png\n", "1 1 1 d/2.png none", PLAIN},
         {"newmtl a\nmap_Kd x.png\nmap_Kd y.png\n", "1 1 1 d/y.png none", PLAIN},
@@ -176,10 +179,10 @@ static void test_files(void) {
     struct error error = {0};
     strcpy(path, name_file(&place, "m.obj"));
     CHECK(put_text(path,
-                   "mtllib no.mtl m.mtl\nmtllib two names.mtl\n" TEXTURED
+                   "mtllib no.mtl m.MTL\nmtllib two names.mtl\n" TEXTURED
                    "usemtl red\nf 1/1 2/1 3/1\nusemtl blue\nf 1 2 4\nusemtl none\nf 1 2 3\n"));
     CHECK(put_text(name_file(&place, "m.mtl"), "newmtl blue\nKd 0 0 0.6\n"));
-    CHECK(put_text(name_file(&place, "two names.mtl"), "newmtl red\nmap_Kd maps/red.png\n"));
+    CHECK(put_text(name_file(&place, "two names.mtl"), "newmtl red\nmap_Kd C:\\maps\\red.PNG\n"));
     put_picture(&place, "red.png", color_rgb(200, 10, 20));
     put_picture(&place, "m_diffuse.png", color_rgb(1, 2, 3));
     if (CHECK_ROW(model_read(&m, path, &error), error.message)) {

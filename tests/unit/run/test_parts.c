@@ -83,6 +83,7 @@ static void test_parts(void) {
                 describe(&parts, k, text, sizeof text);
             }
             CHECK_TEXT(text, rows[i].parts);
+            CHECK(parts.part[parts.count].diffuse.level_count > 0); /* also where all are hidden */
             CHECK(parts.part[parts.count].model.face_count == model.face_count);
             CHECK(strstr(missing.message, rows[i].missing) != NULL);
             CHECK((missing.message[0] == '\0') == (rows[i].missing[0] == '\0'));
