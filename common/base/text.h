@@ -60,6 +60,9 @@ struct word text_rest_of_line(struct text *text);
 /* The next word, read as a number as by word_to_double(); NaN where it is none. */
 struct word text_next_number(struct text *text, double *number);
 
+/* Does the word begin like this, in small or in capital letters? */
+bool word_begins(struct word word, const char *beginning);
+
 /* Is the word exactly this string? */
 static inline bool word_is(struct word word, const char *string) {
     size_t length = strlen(string);

@@ -1,6 +1,8 @@
 /* Kinds of files, known by how they begin; see known.h. */
 #include "files/known.h"
 
+#include "base/text.h"
+
 #include <stdint.h>
 #include <string.h>
 
@@ -52,19 +54,6 @@ static const struct known_file {
     {"#?RADIANCE", 0, "a Radiance HDR file", PICTURE},
 };
 
-static int to_small(int c) {
-    return c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c;
-}
-
-static bool begins_as(const struct known_file *known, const uint8_t *data, size_t size) {
-    size_t length = strlen(known->begins), same = 0;
-    while (same < length && known->at + same < size &&
-           to_small(data[known->at + same]) == to_small((uint8_t)known->begins[same])) {
-        same++;
-    }
-    return same == length;
-}
-
 /* 80 bytes of anything, the number of triangles, 50 bytes for each of them. */
 static bool is_binary_stl(const uint8_t *data, size_t size) {
     if (size < 84) {
@@ -92,7 +81,9 @@ bool error_known_file(struct error *error, const void *data, size_t size, bool m
     }
     for (size_t i = 0; i < sizeof known_files / sizeof known_files[0]; i++) {
         const struct known_file *known = &known_files[i];
-        if (begins_as(known, start + blanks, size - blanks)) {
+        size_t at = blanks + known->at;
+        if (at < size &&
+            word_begins((struct word){(const char *)data + at, size - at}, known->begins)) {
             return error_kind(error, known->what, known->kind, model_wanted);
         }
     }

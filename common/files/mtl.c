@@ -133,10 +133,11 @@ char *mtl_path(struct word name, const char *directory) {
     return next_to;
 }
 
-/* The name before a comment. (A name may hold blanks, too.) */
-static struct word without_comment(struct word name) {
+/* The name before a comment, or before options where some write them. (Names may hold blanks.) */
+static struct word without_rest(struct word name) {
     for (size_t i = 1; i + 1 < name.length; i++) {
-        if (name.start[i] == '#' && name.start[i - 1] == ' ') {
+        const char *p = name.start + i;
+        if (p[-1] == ' ' && (*p == '#' || (*p == '-' && isalpha((unsigned char)p[1])))) {
             for (name.length = i; name.length > 0 && name.start[name.length - 1] == ' ';) {
                 name.length--;
             }
@@ -154,18 +155,14 @@ static bool read_map(struct text *text, struct model_material *options, const ch
     *path = mtl_path(name, directory);
     if (*path != NULL && !file_exists(*path)) {
         free(*path);
-        *path = mtl_path(without_comment(name), directory);
+        *path = mtl_path(without_rest(name), directory);
     }
     return name.length == 0 || *path != NULL;
 }
 
 /* Small and capital letters are the same, as in many files. */
 static bool is_keyword(struct word word, const char *name) {
-    size_t i = 0;
-    while (i < word.length && name[i] != '\0' && (word.start[i] | 32) == (name[i] | 32)) {
-        i++;
-    }
-    return i == word.length && name[i] == '\0';
+    return word.length == strlen(name) && word_begins(word, name);
 }
 
 /* False when memory runs out. */

@@ -95,6 +95,7 @@ static void test_statements(void) {
         {"newmtl a\nmap_Kd  old oak.png \r\n", "1 1 1 d/old oak.png none", PLAIN},
         {"newmtl a\nmap_Kd \"old oak.png\"\n", "1 1 1 d/old oak.png none", PLAIN},
         {"newmtl a\nmap_Kd oak.png  # of the table\n", "1 1 1 d/oak.png none", PLAIN},
+        {"newmtl a\nmap_Kd old - oak.png -clamp on # x\n", "1 1 1 d/old - oak.png none", PLAIN},
         {"newmtl a\nmap_Kd # none\nbump \"\"\n", "1 1 1 none d/", PLAIN},
         {"newmtl a\nmap_Kd C:\\maps\\oak.png\n", "1 1 1 d/C:/maps/oak.png none", PLAIN},
         {"newmtl a\nmap_Kd -mm 0 1 -bm 0.5 -t 1 2 2.png\n", "1 1 1 d/2.png none", PLAIN},
