@@ -43,10 +43,6 @@ static inline struct vec2 vec2_add(struct vec2 a, struct vec2 b) {
     return (struct vec2){a.x + b.x, a.y + b.y};
 }
 
-static inline struct vec2 vec2_sub(struct vec2 a, struct vec2 b) {
-    return (struct vec2){a.x - b.x, a.y - b.y};
-}
-
 static inline struct vec2 vec2_scale(struct vec2 a, double factor) {
     return (struct vec2){a.x * factor, a.y * factor};
 }

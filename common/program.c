@@ -28,7 +28,8 @@ enum { FRAME_DELAY_MS = 40 }; /* of an animation: 25 frames a second */
 
 /* What the command line asks for. */
 struct command {
-    struct options options;
+    struct options options; /* of the command line */
+    struct options request; /* of --live: the one that is answered */
     struct run run;
     bool suggested;     /* suggest_fit() has looked at the model */
     const char *advice; /* the last one of warn_of_nothing() */
@@ -61,7 +62,7 @@ static struct vec3 chosen(const struct vec3_option *option, struct vec3 otherwis
 
 /* The scene with the options of the command line instead of its own values. */
 static struct scene chosen_scene(const struct command *command, const struct scene *given) {
-    const struct options *options = &command->options;
+    const struct options *options = command->run.asked;
     struct scene scene = scene_complete(command->run.program, given);
     if (options->size.width > 0) {
         scene.width = options->size.width;
@@ -75,9 +76,9 @@ static struct scene chosen_scene(const struct command *command, const struct sce
 }
 
 static bool is_chosen(const struct command *command, const struct scene *scene) {
-    bool of_another = command->options.input != NULL && scene->detail && !command->options.details;
-    return command->options.only == NULL ? !scene->extra && !of_another
-                                         : command->options.only == scene;
+    const struct options *options = command->run.asked;
+    bool of_another = options->input != NULL && scene->detail && !options->details;
+    return options->only == NULL ? !scene->extra && !of_another : options->only == scene;
 }
 
 static bool same_point(struct vec3 a, struct vec3 b) {
@@ -95,28 +96,22 @@ static bool check_camera(const struct scene *scene, struct error *error) {
            error_set(error, "scene %s: the eye and the center are %s", scene->name, fault);
 }
 
-/* How many frames are side by side on a sheet, and how many rows of them there are. */
-static void sheet_layout(size_t frame_count, size_t *columns, size_t *rows) {
+/* How many frames are side by side on a sheet, and how many rows of them there are. In a file that
+ * moves each frame has the size of the scene; those of a sheet share it out. */
+static void sheet_layout(const struct options *options, const struct scene *scene, size_t *columns,
+                         size_t *rows) {
+    size_t count = options->format->write_frames != NULL ? 1 : scene->frames;
     *columns = 1;
-    while (*columns * *columns < frame_count) {
+    while (*columns * *columns < count) {
         (*columns)++;
     }
-    *rows = (frame_count + *columns - 1) / *columns;
-}
-
-/* Each frame of a file that moves has the size of the scene; those of a sheet share it out. */
-static void frames_layout(const struct options *options, const struct scene *scene, size_t *columns,
-                          size_t *rows) {
-    *columns = *rows = 1;
-    if (options->format->write_frames == NULL) {
-        sheet_layout(scene->frames, columns, rows);
-    }
+    *rows = (count + *columns - 1) / *columns;
 }
 
 static bool check_size(const struct options *options, const struct scene *scene,
                        struct error *error) {
     size_t columns, rows;
-    frames_layout(options, scene, &columns, &rows);
+    sheet_layout(options, scene, &columns, &rows);
     return (scene->width >= columns && scene->height >= rows) ||
            error_set(error, "scene %s: %zu frames need at least %zux%zu pixels", scene->name,
                      scene->frames, columns, rows);
@@ -125,12 +120,13 @@ static bool check_size(const struct options *options, const struct scene *scene,
 /* Do the options of the command line go together with the scenes? */
 static bool check_options(const struct command *command, struct error *error) {
     const struct program *program = command->run.program;
-    bool moved = command->options.eye.given || command->options.center.given;
+    const struct options *options = command->run.asked;
+    bool moved = options->eye.given || options->center.given;
     for (size_t i = 0; i < program->scene_count; i++) {
         const struct scene scene = chosen_scene(command, &program->scenes[i]);
-        bool right = !is_chosen(command, &program->scenes[i]) ||
-                     (check_size(&command->options, &scene, error) &&
-                      (!moved || check_camera(&scene, error)));
+        bool right =
+            !is_chosen(command, &program->scenes[i]) ||
+            (check_size(options, &scene, error) && (!moved || check_camera(&scene, error)));
         if (!right) {
             return false;
         }
@@ -150,7 +146,7 @@ static bool frames_create(struct frames *frames, const struct options *options,
                           const struct scene *scene, struct error *error) {
     size_t columns, rows;
     *frames = (struct frames){.count = scene->frames};
-    frames_layout(options, scene, &columns, &rows);
+    sheet_layout(options, scene, &columns, &rows);
     frames->width = scene->width / columns;
     frames->height = scene->height / rows;
     frames->frame = calloc(frames->count, sizeof *frames->frame);
@@ -185,10 +181,11 @@ static void place_frame(struct image *sheet, const struct image *frame, size_t i
     }
 }
 
-static bool make_sheet(struct image *sheet, const struct scene *scene, const struct frames *frames,
+static bool make_sheet(struct image *sheet, const struct options *options,
+                       const struct scene *scene, const struct frames *frames,
                        struct error *error) {
     size_t columns, rows;
-    sheet_layout(frames->count, &columns, &rows);
+    sheet_layout(options, scene, &columns, &rows);
     if (!image_create(sheet, scene->width, scene->height, scene->format, error)) {
         return false;
     }
@@ -200,9 +197,9 @@ static bool make_sheet(struct image *sheet, const struct scene *scene, const str
 
 /* ---- Saving ---- */
 
-static bool write_frames(const char *path, const struct image_file_format *format,
-                         const struct scene *scene, const struct frames *frames,
-                         struct error *error) {
+static bool write_frames(const char *path, const struct options *options, const struct scene *scene,
+                         const struct frames *frames, struct error *error) {
+    const struct image_file_format *format = options->format;
     if (frames->count == 1) {
         return format->write(&frames->frame[0], path, error);
     }
@@ -210,7 +207,8 @@ static bool write_frames(const char *path, const struct image_file_format *forma
         return format->write_frames(frames->frame, frames->count, FRAME_DELAY_MS, path, error);
     }
     struct image sheet;
-    bool done = make_sheet(&sheet, scene, frames, error) && format->write(&sheet, path, error);
+    bool done =
+        make_sheet(&sheet, options, scene, frames, error) && format->write(&sheet, path, error);
     image_free(&sheet);
     return done;
 }
@@ -219,29 +217,17 @@ static bool save(const struct command *command, const struct scene *scene,
                  const struct frames *frames, struct error *error) {
     const struct options *options = &command->options;
     const char *extension = image_file_extension(options->format, &frames->frame[0]);
-    bool done = false;
-    char *path = NULL;
     char *directory = options->directory != NULL
                           ? string_format("%s", options->directory)
                           : string_format("%s/%s", OUTPUT_DIRECTORY, command->run.program->name);
-    if (directory != NULL) {
-        path = string_format("%s/%s.%s", directory, scene->name, extension);
-    }
-    if (path == NULL) {
-        error_out_of_memory(error);
-        goto end;
-    }
-    if (command->run.text != NULL && file_is_same(options->input, path)) {
-        error_set(error, "the picture would replace its scene; -o puts it elsewhere");
-        error_name_file(error, path);
-        goto end;
-    }
-    done = directory_create(directory, error) &&
-           write_frames(path, options->format, scene, frames, error);
+    char *path =
+        directory != NULL ? string_format("%s/%s.%s", directory, scene->name, extension) : NULL;
+    bool done = path != NULL ? directory_create(directory, error) &&
+                                   write_frames(path, options, scene, frames, error)
+                             : error_out_of_memory(error);
     if (done && !options->stats && options->repeat == 0) {
         printf("%s\n", path);
     }
-end:
     free(directory);
     free(path);
     return done;
@@ -270,7 +256,7 @@ static void warn_of_file(const struct command *command, struct model *model) {
 /* The same of all models, and of textures. */
 static void warn_of_files(struct command *command) {
     warn_of_file(command, &command->run.model);
-    for (size_t i = 0; i < command->run.more_count; i++) {
+    for (size_t i = 0; i < command->options.more_count; i++) {
         warn_of_file(command, &command->run.others[i]);
     }
     for (int i = 0; i < MODEL_TEXTURE_KINDS; i++) {
@@ -304,33 +290,23 @@ static void suggest_fit(struct command *command, const struct model *model) {
     say(command, &advice);
 }
 
-static bool is_black(const struct image *image) {
-    size_t size = image->width * image->height * image->format;
-    for (size_t i = 0; i < size; i++) {
-        if (image->pixels[i] != 0) {
-            return false;
-        }
-    }
-    return true;
-}
-
-static bool is_far(const double *depth, size_t count) {
-    for (size_t i = 0; i < count; i++) {
-        if (depth[i] > -INFINITY) {
-            return false;
-        }
-    }
-    return true;
-}
-
 /* All frames are black, or a single picture has a background and nothing before it. */
 static bool shows_nothing(const struct stage *stage, const struct frames *frames) {
     const double *depth = stage->drawing.depth;
     if (frames->count == 1 && depth != NULL) {
-        return is_far(depth, stage->pixel_count);
+        size_t far = 0;
+        while (far < stage->pixel_count && depth[far] == -INFINITY) {
+            far++;
+        }
+        return far == stage->pixel_count;
     }
     for (size_t i = 0; i < frames->count; i++) {
-        if (!is_black(&frames->frame[i])) {
+        const struct image *image = &frames->frame[i];
+        size_t size = image->width * image->height * image->format, black = 0;
+        while (black < size && image->pixels[black] == 0) {
+            black++;
+        }
+        if (black < size) {
             return false;
         }
     }
@@ -443,7 +419,7 @@ static void print_counters(const struct stage *stage) {
 
 /* How much was read, in all. */
 static void print_loaded(const struct run *run) {
-    struct loaded loaded = run_loaded(run);
+    const struct loaded loaded = run_loaded(run);
     printf("files.bytes_read: %llu\n", (unsigned long long)loaded.bytes);
     printf("files.textures_present: %llu\n", (unsigned long long)loaded.textures_present);
     printf("files.textures_read: %llu\n", (unsigned long long)loaded.textures_read);
@@ -490,26 +466,31 @@ static char *text_scene_name(const char *path) {
     return length <= INT_MAX ? string_format("%.*s", (int)length, base) : NULL;
 }
 
+/* The scene that draws what is in the text, from now on. */
+static struct scene scene_of_text(struct command *command, const struct text_scene *text,
+                                  const char *name) {
+    command->run.text = text;
+    return (struct scene){
+        .name = name,
+        .width = text->width,
+        .height = text->height,
+        .values = command->run.program->text_values,
+        .draw = command->run.program->draw_text,
+    };
+}
+
 static bool draw_text(struct command *command, struct error *error) {
-    const struct program *program = command->run.program;
+    const char *path = command->options.input;
     struct text_scene text = {0};
-    char *name = NULL;
-    bool done = text_scene_read(&text, command->options.input, program->text_kind, error);
+    char *name = text_scene_name(path);
+    bool done = name != NULL ? text_scene_read(&text, path, command->run.program->text_kind, error)
+                             : error_out_of_memory(error);
     if (done) {
-        name = text_scene_name(command->options.input);
-        const struct scene scene = {
-            .name = name,
-            .width = text.width,
-            .height = text.height,
-            .values = program->text_values,
-            .draw = program->draw_text,
-        };
-        command->run.text = &text;
-        done = name != NULL ? draw_scene(command, &scene, error) : error_out_of_memory(error);
+        const struct scene scene = scene_of_text(command, &text, name);
+        done = draw_scene(command, &scene, error);
     }
-    command->run.text = NULL;
-    free(name);
     text_scene_free(&text);
+    free(name);
     return done;
 }
 
@@ -538,9 +519,6 @@ static void warn_of_details(const struct command *command) {
 static bool draw_scenes(struct command *command, struct error *error) {
     const struct program *program = command->run.program;
     bool done = true;
-    command->run.input = command->options.input;
-    command->run.more = command->options.more;
-    command->run.more_count = command->options.more_count;
     for (size_t i = 0; i < program->scene_count; i++) {
         const struct scene *scene = &program->scenes[i];
         command->run.needs |= is_chosen(command, scene) ? scene->needs : 0;
@@ -577,7 +555,7 @@ static bool answer_scene(struct command *command, const struct scene *given, FIL
     const struct scene scene = chosen_scene(command, given);
     struct image image = {.pixels = NULL};
     struct stage stage = {0};
-    size_t frame = command->options.frame > 0 ? command->options.frame - 1 : 0;
+    size_t frame = command->request.frame > 0 ? command->request.frame - 1 : 0;
     bool done = image_create(&image, scene.width, scene.height, scene.format, error) &&
                 stage_begin(&stage, &command->run, &scene, scene.width, scene.height, error);
     double begin = now_ms();
@@ -593,19 +571,15 @@ static bool answer_scene(struct command *command, const struct scene *given, FIL
 static bool answer_text(struct command *command, const struct live_request *request, FILE *out,
                         struct error *error) {
     const struct program *program = command->run.program;
-    struct text_scene text = {0};
-    bool done = program->draw_text != NULL || error_set(error, "takes no text scene");
-    done = done &&
-           text_scene_decode(&text, request->text, request->text_size, program->text_kind, error);
-    if (done) {
-        const struct scene scene = {.name = "text",
-                                    .width = text.width,
-                                    .height = text.height,
-                                    .values = program->text_values,
-                                    .draw = program->draw_text};
-        command->run.text = &text;
-        done = answer_scene(command, &scene, out, error);
+    struct text_scene text;
+    if (program->draw_text == NULL) {
+        return error_set(error, "takes no text scene");
     }
+    if (!text_scene_decode(&text, request->text, request->text_size, program->text_kind, error)) {
+        return false;
+    }
+    const struct scene scene = scene_of_text(command, &text, "text");
+    bool done = answer_scene(command, &scene, out, error);
     command->run.text = NULL;
     text_scene_free(&text);
     return done;
@@ -616,22 +590,18 @@ static bool answer(void *context, const struct live_request *request, FILE *out,
                    struct error *error) {
     struct command *command = context;
     const struct program *program = command->run.program;
-    if (!options_parse(&command->options, program, request->argc, request->argv, error) ||
+    command->run.asked = &command->request;
+    if (!options_parse(&command->request, program, request->argc, request->argv, error) ||
         !check_options(command, error)) {
         return false;
     }
-    if (command->options.input != NULL || command->options.live) {
+    if (command->request.input != NULL || command->request.live) {
         return error_set(error, "the model and --live belong on the command line");
     }
-    command->run.no_skip = command->options.no_skip;
-    command->run.stats = command->options.stats;
-    command->run.probed = command->options.probe.given;
-    command->run.probe = command->options.probe.value;
-    command->run.chosen_count = command->options.set_count;
     if (request->text != NULL) {
         return answer_text(command, request, out, error);
     }
-    const struct scene *scene = command->options.only;
+    const struct scene *scene = command->request.only;
     return answer_scene(command, scene != NULL ? scene : &program->scenes[0], out, error);
 }
 
@@ -648,7 +618,6 @@ static FILE *live_output(void) {
 /* All that any scene needs of the model is read at once. */
 static bool answer_all(struct command *command, struct error *error) {
     const struct program *program = command->run.program;
-    command->run.input = program->draw_text == NULL ? command->options.input : NULL;
     for (size_t i = 0; i < program->scene_count; i++) {
         command->run.needs |= program->scenes[i].needs;
     }
@@ -682,23 +651,16 @@ static bool run_command(struct command *command, struct error *error) {
 
 int program_main(const struct program *program, int argc, char **argv) {
     struct command command = {.run = {.program = program}};
+    struct options *options = &command.options;
     struct error error = {0};
     int status = STATUS_USAGE;
 #ifdef _WIN32
     windows_begin(&argc, &argv);
 #endif
     keep_freed_memory();
-    if (options_parse(&command.options, program, argc, argv, &error) &&
-        check_options(&command, &error)) {
-        command.run.no_skip = command.options.no_skip;
-        command.run.stats = command.options.stats;
-        command.run.fit = command.options.fit;
-        command.run.two_sided = command.options.two_sided;
-        memcpy(command.run.turns, command.options.turns, sizeof command.run.turns);
-        command.run.chosen = command.options.set;
-        command.run.chosen_count = command.options.set_count;
-        memcpy(command.run.texture_files, command.options.textures,
-               sizeof command.options.textures);
+    command.run.options = command.run.asked = options;
+    if (options_parse(options, program, argc, argv, &error) && check_options(&command, &error)) {
+        command.run.input = program->draw_text == NULL ? options->input : NULL;
         status = run_command(&command, &error) ? STATUS_DONE : STATUS_FAILED;
     }
     if (status != STATUS_DONE) {

@@ -33,15 +33,12 @@ static bool create(struct image *image, size_t width, size_t height, enum image_
                          height, IMAGE_SIZE_LIMIT);
     }
     size_t row = width * (size_t)format;
-    uint8_t *pixels = format == IMAGE_BGRA      ? allocate_lines(height, row)
-                      : cleared                 ? calloc(height, row)
-                      : height > SIZE_MAX / row ? NULL
-                                                : malloc(height * row);
+    uint8_t *pixels = allocate_lines(height, row);
     if (pixels == NULL) {
         return error_set(error, "out of memory for an image of %zux%zu pixels", width, height);
     }
     ask_for_large_pages(pixels, height * row);
-    if (format == IMAGE_BGRA && cleared) {
+    if (cleared) {
         memset(pixels, 0, height * row);
     }
     image->width = width;
@@ -528,99 +525,58 @@ static inline void compare_neighbours(const uint8_t *restrict row, size_t width,
     }
 }
 
-/* What is known of a row before it is packed. */
-struct repeats {
-    uint8_t *equal;     /* a byte a pixel: 1 where the next pixel is equal. Zero behind the row */
-    uint8_t *bits;      /* the same, a bit a pixel; eight bytes more are zero */
-    const uint8_t *end; /* of the image */
-};
-
-/* Bytes that hold a bit for each pixel of a row, and one more. */
-static size_t bits_size(size_t width) {
-    return width / 8 + 1;
+/* How many of the first `count` pixels come before one that differs from the next. */
+static size_t equal_pixels(const uint8_t *equal, size_t count) {
+    const uint8_t *other = memchr(equal, 0, count);
+    return other == NULL ? count : (size_t)(other - equal);
 }
 
-static inline void find_repeats(const uint8_t *row, size_t width, const struct repeats *repeats,
-                                const size_t size) {
-    compare_neighbours(row, width, repeats->equal, size);
-    for (size_t i = 0; i < bits_size(width); i++) { /* byte k of eight goes to bit 56 + k */
-        uint64_t eight = load_u64(repeats->equal + 8 * i);
-        repeats->bits[i] = (uint8_t)(eight * UINT64_C(0x0102040810204080) >> 56);
+/* How many come before a run of `worth` pixels, which is the least that is worth its own packet. */
+static size_t pixels_before_run(const uint8_t *equal, size_t count, size_t worth) {
+    const uint8_t *run = equal, *end = equal + count;
+    while ((run = memchr(run, 1, (size_t)(end - run))) != NULL) {
+        if (equal_pixels(run, worth - 1) == worth - 1) {
+            return (size_t)(run - equal);
+        }
+        run++;
     }
-}
-
-/* How many zeros are below the lowest one; there is a one. */
-static inline size_t trailing_zeros(uint64_t bits) {
-#if defined(__GNUC__)
-    return (size_t)__builtin_ctzll(bits);
-#else
-    size_t zeros = 0;
-    for (; (bits & 1) == 0; bits >>= 1) {
-        zeros++;
-    }
-    return zeros;
-#endif
-}
-
-enum { WINDOW = 56 }; /* bits that eight bytes hold from any of their first eight bits on */
-
-/* How many pixels from x on, at most `limit`, come before one that differs from the next, or else
- * before a run that is worth its own packet. A run packet between two raw ones costs two
- * heads, so two equal grey pixels are not. */
-static inline size_t pixels_before(const uint8_t *bits, size_t x, size_t limit, const bool differs,
-                                   const size_t size) {
-    size_t before = 0, step = WINDOW;
-    while (step == WINDOW && before < limit) {
-        uint64_t equal = load_u64(bits + (x + before) / 8) >> (x + before) % 8;
-        uint64_t found = differs ? ~equal : size > 1 ? equal : equal & equal >> 1;
-        step = trailing_zeros(found | UINT64_C(1) << WINDOW);
-        before += step;
-    }
-    return before < limit ? before : limit;
+    return count;
 }
 
 /* One row as packets; returns their size. `out` has room for the row and one byte per 128 pixels,
- * which is the worst case, and for a block more. */
-static inline size_t pack_row_of(const uint8_t *row, size_t width, const struct repeats *repeats,
-                                 uint8_t *out, const size_t size) {
+ * which is the worst case. A run packet between two raw ones costs two heads, so two equal grey
+ * pixels are not worth one. `equal` has room for a byte a pixel and is zero behind the row. */
+static inline size_t pack_row_of(const uint8_t *row, size_t width, uint8_t *equal, uint8_t *out,
+                                 const size_t size) {
     const size_t worth = size == 1 ? 3 : 2;
-    const bool inner = (size_t)(repeats->end - row) >= width * size + BLOCK;
     uint8_t *next = out;
-    find_repeats(row, width, repeats, size);
+    compare_neighbours(row, width, equal, size);
     for (size_t x = 0; x < width;) {
-        const uint8_t *pixel = row + x * size;
         size_t limit = width - x < TGA_PACKET_LIMIT ? width - x : TGA_PACKET_LIMIT;
-        size_t count = 1 + pixels_before(repeats->bits, x, limit - 1, true, size);
-        if (count > 1) {
-            *next++ = (uint8_t)(128 + count - 1);
-            memcpy(next, pixel, size);
-            next += size;
-        } else { /* up to the next run that is worth it and begins well before the limit */
+        size_t count = 1 + equal_pixels(equal + x, limit - 1), stored = 1;
+        bool run = count > 1;
+        if (!run) { /* up to the next run that is worth it and begins well before the limit */
             size_t look = limit > worth ? limit - worth : 0;
-            size_t before = pixels_before(repeats->bits, x + 1, look, false, size);
-            count = before < look ? 1 + before : limit;
-            *next++ = (uint8_t)(count - 1);
-            if (inner) {
-                copy_blocks(next, pixel, count * size);
-            } else {
-                memcpy(next, pixel, count * size);
-            }
-            next += count * size;
+            size_t before = pixels_before_run(equal + x + 1, look, worth);
+            stored = count = before < look ? 1 + before : limit;
         }
+        *next++ = (uint8_t)((run ? 128 : 0) + count - 1);
+        memcpy(next, row + x * size, stored * size);
+        next += stored * size;
         x += count;
     }
     return (size_t)(next - out);
 }
 
-static size_t pack_row(const uint8_t *row, size_t width, size_t pixel_size,
-                       const struct repeats *repeats, uint8_t *out) {
+static size_t pack_row(const uint8_t *row, size_t width, size_t pixel_size, uint8_t *equal,
+                       uint8_t *out) {
     switch (pixel_size) {
     case 1:
-        return pack_row_of(row, width, repeats, out, 1);
+        return pack_row_of(row, width, equal, out, 1);
     case 3:
-        return pack_row_of(row, width, repeats, out, 3);
+        return pack_row_of(row, width, equal, out, 3);
     default:
-        return pack_row_of(row, width, repeats, out, 4);
+        return pack_row_of(row, width, equal, out, 4);
     }
 }
 
@@ -641,12 +597,12 @@ static void put_tga_header(uint8_t *header, const struct image *image, bool run_
 
 /* All rows as packets after what is in `out`, which has room for the raw pixels and one row more.
  * False when they come out larger than the raw pixels. */
-static bool pack_rows(const struct image *image, const struct repeats *repeats, struct bytes *out) {
+static bool pack_rows(const struct image *image, uint8_t *equal, struct bytes *out) {
     size_t raw_end = out->size + image_size(image);
     for (size_t y = 0; y < image->height; y++) {
         const uint8_t *row = image->pixels + y * row_size(image);
         out->size +=
-            pack_row(row, image->width, (size_t)image->format, repeats, out->data + out->size);
+            pack_row(row, image->width, (size_t)image->format, equal, out->data + out->size);
         if (out->size > raw_end) {
             return false;
         }
@@ -659,19 +615,16 @@ bool tga_encode(const struct image *image, struct bytes *out, struct error *erro
         return error_set(error, "an empty image cannot be written");
     }
     /* A row of packets is at most twice as large as the row: one grey pixel in a packet. */
-    size_t room =
-        TGA_HEADER_SIZE + image_size(image) + 2 * row_size(image) + BLOCK + sizeof tga_footer;
-    uint8_t *known = calloc(9, bits_size(image->width) + 1);
-    if (known == NULL || !bytes_reserve(out, room)) {
-        free(known);
+    size_t room = TGA_HEADER_SIZE + image_size(image) + 2 * row_size(image) + sizeof tga_footer;
+    uint8_t *equal = calloc(image->width + 2, 1);
+    if (equal == NULL || !bytes_reserve(out, room)) {
+        free(equal);
         return error_out_of_memory(error);
     }
-    const struct repeats repeats = {known, known + 8 * bits_size(image->width),
-                                    image->pixels + image_size(image)};
     size_t start = out->size;
     out->size += TGA_HEADER_SIZE;
-    bool packed = pack_rows(image, &repeats, out);
-    free(known);
+    bool packed = pack_rows(image, equal, out);
+    free(equal);
     if (!packed) { /* noise: run-length coding would make it larger */
         out->size = start + TGA_HEADER_SIZE;
         memcpy(out->data + out->size, image->pixels, image_size(image));

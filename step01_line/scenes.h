@@ -222,7 +222,11 @@ static bool draw_gradient(struct drawing *drawing, struct image *image, struct e
 #undef set_flat
 
 static const struct scene_value text_values[] = {
-    {"attempt", "which attempt draws (0: line(), 8: by cases, 9: by runs)", 0, 9, 1, 0},
+    {"attempt",
+     "0 line(), 1 a hundred steps, 2 ten steps, 3 a step for each column, 4 swapped, "
+     "5 division outside, 6 added up, 7 in two parts, 8 by cases, 9 by runs",
+     0, 9, 1, 0},
+    {"reversed", "from the second end to the first", 0, 1, 1, 0},
     {"wrong", "red is wrong, blue is missing", 0, 1, 1, 0},
     {"steps", "share of the line that is drawn", 0, 1, 0.01, 1},
     {.name = NULL},
@@ -235,14 +239,15 @@ static struct pixel shape_end(const struct text_scene_shape *shape, int end) {
 /* By an attempt, or by line() where both ends have the same colour. */
 static bool draw_shape(const struct drawing *drawing, struct image *image,
                        const struct text_scene_shape *shape, struct error *error) {
-    struct pixel a = shape_end(shape, 0), b = shape_end(shape, 1);
+    const int first = (int)drawing_value(drawing, "reversed"), last = 1 - first;
+    struct pixel a = shape_end(shape, first), b = shape_end(shape, last);
     int attempt = (int)drawing_value(drawing, "attempt");
     if (attempt > 0) {
         line_attempt(attempt - 1)(image, a, b, shape->color[0]);
     } else if (memcmp(&shape->color[0], &shape->color[1], sizeof shape->color[0]) == 0) {
         line(image, a, b, shape->color[0]);
     } else {
-        return line_gradient(image, a, b, shape->color[0], shape->color[1], error);
+        return line_gradient(image, a, b, shape->color[first], shape->color[last], error);
     }
     return true;
 }
@@ -254,7 +259,8 @@ static bool is_reached(const struct text_scene_shape *shape, double steps, int x
     return (steep ? y : x) <= fmin(u[0], u[1]) + steps * fabs(u[1] - u[0]);
 }
 
-/* What the exact line is at the probed pixel's column, or at a steep line's row. */
+/* Where the exact line is at the probed pixel's column, or at a steep line's row, and how far the
+ * pixel is from it. */
 static void note_line(struct drawing *drawing, const struct text_scene_shape *shape) {
     struct pixel a = shape_end(shape, 0), b = shape_end(shape, 1), p = drawing->probe;
     int run = b.x - a.x, rise = b.y - a.y;
@@ -262,9 +268,10 @@ static void note_line(struct drawing *drawing, const struct text_scene_shape *sh
     int step = steep ? p.y - a.y : p.x - a.x, from = steep ? a.x : a.y;
     int length = steep ? rise : run, climb = steep ? run : rise;
     if (length != 0 && step / length == 0 && (step == 0 || (step < 0) == (length < 0))) {
-        drawing_note(drawing, "at %s = %d the line is at %s = %d + %d * %d/%d = %.3f",
+        const double exact = from + (double)step * climb / length;
+        drawing_note(drawing, "at %s = %d the line is at %s = %d + %d * %d/%d = %.3f, error %+.3f",
                      steep ? "y" : "x", steep ? p.y : p.x, steep ? "x" : "y", from, step, climb,
-                     length, from + (double)step * climb / length);
+                     length, exact, (steep ? p.x : p.y) - exact);
     }
 }
 

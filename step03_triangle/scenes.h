@@ -383,7 +383,10 @@ static bool draw_fan(struct drawing *drawing, struct image *image, struct error 
 #include "attempts.h"
 
 static const struct scene_value text_values[] = {
-    {"attempt", "which attempt draws (0: triangle())", 0, 7, 1, 0},
+    {"attempt",
+     "0 triangle(), 1 sweep in whole numbers, 2 sweep in float, 3 box in float, 4 box in double, "
+     "5 open sides, 6 a tolerance, 7 edges in float",
+     0, 7, 1, 0},
     {"snap", "bits of a corner's fraction", 0, 8, 1, 8},
     {"counted", "orange is drawn too often, magenta is missing", 0, 1, 1, 0},
     {.name = NULL},

@@ -9,14 +9,38 @@
  * what lies behind something else is still painted over it: that is lesson 5.
  */
 
+#include "attempts.h"
+
+static const struct scene_value flat_values[] = {
+    {"attempt",
+     "0 face_intensity(), 1 not normalized, 2 inward, 3 absolute, 4 in float, 5 a guessed root, "
+     "6 one Newton step, 7 two",
+     0, 7, 1, 0},
+    {.name = NULL},
+};
+
+/* By an attempt, or by what the lesson writes. */
+static double intensity_of(const struct model *model, size_t face, struct vec3 to_light,
+                           int attempt) {
+    static double (*const attempts[])(struct vec3, struct vec3, struct vec3, struct vec3) = {
+        attempt_1_not_normalized, attempt_2_inward, attempt_3_absolute, attempt_4_float,
+        attempt_5_root_0,         attempt_6_root_1, attempt_7_root_2,
+    };
+    return attempt == 0 ? face_intensity(model, face, to_light)
+                        : attempts[attempt - 1](model_position(model, face, 0),
+                                                model_position(model, face, 1),
+                                                model_position(model, face, 2), to_light);
+}
+
 static bool draw_flat(struct drawing *drawing, struct image *image, struct error *error) {
     (void)error;
     const struct model *model = drawing->model;
     const struct vec3 to_light = vec3_scale(vec3_normalized(drawing->light), -1);
+    const int attempt = (int)drawing_value(drawing, "attempt");
     uint64_t unlit = 0, too_far = 0;
     for (size_t face = 0; face < model->face_count; face++) {
         struct vertex vertices[3] = {{{0, 0}}};
-        double intensity = face_intensity(model, face, to_light);
+        double intensity = intensity_of(model, face, to_light, attempt);
         bool lit = intensity > 0;
         unlit += !lit;
         if (!lit && drawing->skip) {
@@ -98,12 +122,13 @@ static bool draw_side(struct drawing *drawing, struct image *image, struct error
 }
 
 static const struct scene scenes[] = {
-    {.name = "flat", .needs = NEEDS_MODEL, .draw = draw_flat},
+    {.name = "flat", .needs = NEEDS_MODEL, .values = flat_values, .draw = draw_flat},
     {.name = "side",
      .needs = NEEDS_MODEL,
      .width = 719, /* odd, and not the height: halved or exchanged, it shows */
      .height = 797,
      .light = {0.4, -0.25, -1},
+     .values = flat_values,
      .draw = draw_side},
 };
 

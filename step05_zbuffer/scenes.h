@@ -10,6 +10,9 @@
  */
 #include <stdlib.h>
 
+/* Which attempt draws. */
+enum { DEPTH_BUFFER, FILE_ORDER, PAINTER, MEAN_DEPTH };
+
 /* ---- Scene: rows ---- */
 
 /* In pixels of a picture of the usual size: the plane on top, then as strips the row of colours and
@@ -56,6 +59,7 @@ static const struct scene_value rows_values[] = {
     ROWS_POINT("green_end", 444.8, 400),
     ROWS_POINT("blue", 330, 463),
     ROWS_POINT("blue_end", 594, 200),
+    {"attempt", "0 depth buffer, 1 in the order given, 2 the painter's order", 0, 2, 1, 0},
     {.name = NULL},
 };
 
@@ -66,9 +70,15 @@ static struct segment dragged_segment(const struct drawing *drawing, const char 
     return (struct segment){a.x < b.x ? a : b, a.x < b.x ? b : a, color};
 }
 
+static int compare_segments(const void *a, const void *b) {
+    const struct segment *s = a, *t = b;
+    const double depth = s->a.y + s->b.y, other = t->a.y + t->b.y;
+    return (depth > other) - (depth < other);
+}
+
 static bool draw_rows(struct drawing *drawing, struct image *image, struct error *error) {
     (void)error;
-    const struct segment segments[] = {
+    struct segment segments[] = {
         dragged_segment(drawing, "red", "red_end", color_rgb(255, 0, 0)),
         dragged_segment(drawing, "green", "green_end", color_rgb(0, 255, 0)),
         dragged_segment(drawing, "blue", "blue_end", color_rgb(0, 0, 255)),
@@ -78,6 +88,10 @@ static bool draw_rows(struct drawing *drawing, struct image *image, struct error
         {{770, 90}, {840, 150}, {.b = 150, .g = 150, .r = 150, .a = 255}},
         {{770, 90}, {840, 150}, {.b = 220, .g = 220, .r = 220, .a = 255}}, /* as near: hidden */
     };
+    const int attempt = (int)drawing_value(drawing, "attempt");
+    if (attempt == PAINTER) {
+        qsort(segments, sizeof segments / sizeof segments[0], sizeof segments[0], compare_segments);
+    }
     /* Another size than the usual one shows the same picture, smaller or larger. */
     double across = (double)image->width / ROWS_WIDTH, up = (double)image->height / ROWS_HEIGHT;
     int strip = (int)(ROWS_STRIP * up), color_bottom = (int)(ROWS_COLOR_BOTTOM * up);
@@ -87,6 +101,9 @@ static bool draw_rows(struct drawing *drawing, struct image *image, struct error
         s.b = (struct vec2){s.b.x * across, s.b.y * up};
         draw_plane_line(&s, image, (int)(ROWS_PLANE_BOTTOM * up));
         draw_segment(&s, image, color_bottom, drawing->depth);
+        if (attempt != DEPTH_BUFFER) {
+            depth_clear(drawing->depth, image->width); /* the next one is drawn over it */
+        }
     }
     double levels = 255 / (ROWS_PLANE * up);
     double *behind = drawing->depth + (image->height > 1 ? image->width : 0); /* the row */
@@ -122,8 +139,9 @@ static bool place_face(const struct model *model, size_t face, const struct imag
 }
 
 static const struct scene_value model_values[] = {
-    {"faces", "share of the faces that are drawn", 0, 1, 0.01, 1},
-    {"painter", "the painter: the farthest face first, each over what is there", 0, 1, 1, 0},
+    {"faces", "share of the faces that are drawn", 0, 1, 0.0002, 1},
+    {"attempt", "0 depth buffer, 1 the file's order, 2 the painter's, 3 a depth for each face", 0,
+     3, 1, 0},
     {"bits", "bits of a corner's depth", 1, 52, 1, 52},
     {.name = NULL},
 };
@@ -161,13 +179,23 @@ static struct painted *painters_order(const struct model *model, struct error *e
     return order;
 }
 
-/* All faces on which light falls, as in step 4. A painter's faces get the number of their turn as
- * depth: each is nearer than all before. */
+/* The depths of a face's corners, as an attempt has them. What is drawn over all that is there has
+ * the number of its turn as depth: it is nearer than all before. */
+static void choose_depths(struct vertex v[3], int attempt, size_t turn, int bits) {
+    const double mean = (v[0].depth + v[1].depth + v[2].depth) / 3;
+    for (int i = 0; i < 3; i++) {
+        v[i].depth = attempt == FILE_ORDER || attempt == PAINTER
+                         ? (double)turn
+                         : round_depth(attempt == MEAN_DEPTH ? mean : v[i].depth, bits, 1);
+    }
+}
+
+/* All faces on which light falls, as in step 4. */
 static bool draw_zbuffer(struct drawing *drawing, struct image *image, struct error *error) {
     const struct model *model = drawing->model;
-    const bool painter = drawing_value(drawing, "painter") != 0;
-    struct painted *order = painter ? painters_order(model, error) : NULL;
-    if (painter && order == NULL) {
+    const int attempt = (int)drawing_value(drawing, "attempt");
+    struct painted *order = attempt == PAINTER ? painters_order(model, error) : NULL;
+    if (attempt == PAINTER && order == NULL) {
         return false;
     }
     const struct vec3 light = vec3_normalized(drawing->light);
@@ -175,7 +203,7 @@ static bool draw_zbuffer(struct drawing *drawing, struct image *image, struct er
     const double share = drawing_value(drawing, "faces");
     const int bits = (int)drawing_value(drawing, "bits");
     for (size_t turn = 0; (double)turn < share * (double)model->face_count; turn++) {
-        const size_t face = painter ? order[turn].face : turn;
+        const size_t face = order != NULL ? order[turn].face : turn;
         struct vertex vertices[3];
         double intensity = model_face_intensity(model, face, light);
         bool lit = intensity > 0;
@@ -183,10 +211,7 @@ static bool draw_zbuffer(struct drawing *drawing, struct image *image, struct er
             continue; /* it will not be drawn: where it lies does not matter */
         }
         if (place_face(model, face, image, vertices) && lit) {
-            for (int i = 0; i < 3; i++) {
-                vertices[i].depth =
-                    painter ? (double)turn : round_depth(vertices[i].depth, bits, 1);
-            }
+            choose_depths(vertices, attempt, turn, bits);
             triangle(&canvas, vertices, color_grey(level_from(intensity * 255)));
         }
     }

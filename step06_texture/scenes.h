@@ -68,8 +68,15 @@ static bool draw_texture(struct drawing *drawing, struct image *image, struct er
 
 /* ---- Scene: letters ---- */
 
+/* What the probed pixel covers of a texture: a parallelogram. */
+struct footprint {
+    const struct texture *texture; /* NULL: of none */
+    struct vec2 uv, right, up;     /* its middle, and its sides */
+};
+
 struct state {
     struct texture letters, bordered, fading, cloth, mosaic, checker, colored;
+    struct footprint footprint;
 };
 
 /* A picture of 5 x 3 tiles with the letters A to O, so that every mix-up shows. */
@@ -292,7 +299,9 @@ static bool make_colored(struct texture *texture, struct error *error) {
     {                                                                                              \
         {"sampler", "0 nearest, 1 bilinear, 2 with mip levels", 0, 2, 1, sampler},                 \
             {"affine", "u and v are mixed without 1/w", 0, 1, 1, 0},                               \
+            {"level", "the finest mip level that is read", 0, 8, 1, 0},                            \
             {"colors", "every mip level has its own colour", 0, 1, 1, 0},                          \
+            {"footprint", "the pixel under the cursor on the texture", 0, 1, 1, 0},                \
             {"walk", "how far the camera walks ahead", -2, 0.5, 0.05, 0}, {                        \
             .name = NULL                                                                           \
         }                                                                                          \
@@ -340,9 +349,65 @@ static const struct surface_corner plane_corners[4] = {
     {-PLANE_SIDE, 0, PLANE_FAR, {-PLANE_SIDE, PLANE_FAR}},
 };
 
+/* A point of the footprint, `right` and `up` from its middle, in texels. */
+static struct vec2 footprint_texel(const struct footprint *f, double right, double up) {
+    const struct texture_level *level = &f->texture->level[0];
+    return (struct vec2){(right * f->right.x + up * f->up.x) * (double)level->width,
+                         (right * f->right.y + up * f->up.y) * (double)level->height};
+}
+
+/* Texel i of a picture that repeats. */
+static size_t repeated(double i, size_t size) {
+    return (size_t)(i - floor(i / (double)size) * (double)size);
+}
+
+/* Show the texels around the footprint in a corner of the image, with its outline. */
+static void show_footprint(struct image *image, const struct footprint *f) {
+    static const double half[][2] = {{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}};
+    const struct texture_level *level = &f->texture->level[0];
+    const int side = (int)image->height / 3;
+    struct vec2 corner[4];
+    double reach = 2;
+    for (int i = 0; i < 4; i++) {
+        corner[i] = footprint_texel(f, half[i][0], half[i][1]);
+        reach = fmax(reach, fmax(fabs(corner[i].x), fabs(corner[i].y)));
+    }
+    const double texels = 4 * reach / side; /* in a pixel */
+    for (int i = 0; i < side * side; i++) {
+        const double x = f->uv.x * (double)level->width + (i % side + 0.5 - side / 2.0) * texels;
+        const double y = f->uv.y * (double)level->height + (i / side + 0.5 - side / 2.0) * texels;
+        const uint32_t texel = texture_texel(level, repeated(floor(x), level->width),
+                                             repeated(floor(y), level->height));
+        image_set(image, i % side, i / side, color_from_texel(texel));
+    }
+    for (int i = 0; i < 4; i++) {
+        const struct vec2 a = corner[i], b = corner[(i + 1) % 4];
+        const struct pixel from = {side / 2 + (int)floor(a.x / texels),
+                                   side / 2 + (int)floor(a.y / texels)};
+        const struct pixel to = {side / 2 + (int)floor(b.x / texels),
+                                 side / 2 + (int)floor(b.y / texels)};
+        struct line_walk walk;
+        bool more = line_begin(&walk, from, to, image->width, image->height);
+        for (; more; more = line_next(&walk)) {
+            image_set(image, walk.x, walk.y, color_rgb(255, 0, 255));
+        }
+    }
+}
+
+/* After all else that the probed pixel may show. */
+static bool end_view(struct drawing *drawing, struct image *image) {
+    struct state *state = drawing->state;
+    if (state->footprint.texture != NULL && drawing_value(drawing, "footprint") != 0) {
+        show_footprint(image, &state->footprint);
+    }
+    state->footprint.texture = NULL;
+    return true;
+}
+
 /* What the probed pixel shows of a triangle. */
 static void note_texel(struct drawing *drawing, const struct image *image, const struct vertex v[3],
                        const struct texture *texture) {
+    struct state *state = drawing->state;
     const int x = drawing->probe.x, y = drawing->probe.y;
     struct quotients plane;
     if (!drawing->probed || !plane_begin(&plane, image, v) || !edges_cover(&plane.edges, x, y)) {
@@ -351,12 +416,25 @@ static void note_texel(struct drawing *drawing, const struct image *image, const
     double w;
     const struct vec2 uv = plane_uv(&plane, x, y, &w);
     const struct vec2 right = uv_step(plane.right, uv, w), up = uv_step(plane.up, uv, w);
-    const double width = (double)texture->level[0].width, height = (double)texture->level[0].height;
+    const struct footprint footprint = {texture, uv, right, up};
+    const struct vec2 r = footprint_texel(&footprint, 1, 0), u = footprint_texel(&footprint, 0, 1);
+    state->footprint = footprint;
     drawing_note(drawing, "u %.4f  v %.4f  w %.4f", uv.x, uv.y, w);
     drawing_note(drawing, "u/w %.4f  v/w %.4f  1/w %.4f", uv.x / w, uv.y / w, 1 / w);
-    drawing_note(drawing, "texels to the next pixel: right (%.2f, %.2f), up (%.2f, %.2f)",
-                 right.x * width, right.y * height, up.x * width, up.y * height);
+    drawing_note(drawing, "texels to the next pixel: right (%.2f, %.2f), up (%.2f, %.2f)", r.x, r.y,
+                 u.x, u.y);
     drawing_note(drawing, "mip level %.2f", mip_level(right, up, texture));
+}
+
+/* The texture without the levels below that one. */
+static struct texture from_level(const struct texture *texture, size_t first) {
+    struct texture coarse = *texture;
+    first = first < texture->level_count ? first : texture->level_count - 1;
+    coarse.level_count -= first;
+    for (size_t i = 0; i < coarse.level_count; i++) {
+        coarse.level[i] = texture->level[first + i];
+    }
+    return coarse;
 }
 
 static void draw_plane(struct drawing *drawing, struct image *image, const struct vertex corners[4],
@@ -369,6 +447,8 @@ static void draw_plane(struct drawing *drawing, struct image *image, const struc
     note_texel(drawing, image, first, texture);
     note_texel(drawing, image, second, texture);
     texture = drawing_value(drawing, "colors") != 0 ? &state->colored : texture;
+    const struct texture coarse = from_level(texture, (size_t)drawing_value(drawing, "level"));
+    texture = &coarse;
     perspective_triangle(&canvas, first, texture);
     perspective_triangle(&canvas, second, texture);
     drawing_count(drawing, "pixels_written", canvas.pixels_written);
@@ -381,7 +461,7 @@ static bool draw_checker(struct drawing *drawing, struct image *image, struct er
     struct vertex corners[4];
     place_surface(drawing, image, plane_corners, corners);
     draw_plane(drawing, image, corners, &state->checker);
-    return true;
+    return end_view(drawing, image);
 }
 
 /* ---- Scenes: room, close and mipmapped ---- */
@@ -440,7 +520,7 @@ static bool draw_close(struct drawing *drawing, struct image *image, struct erro
     (void)error;
     const struct state *state = drawing->state;
     draw_surface(drawing, image, close_corners, &state->letters);
-    return true;
+    return end_view(drawing, image);
 }
 
 static void draw_surfaces(struct drawing *drawing, struct image *image) {
@@ -473,13 +553,13 @@ static bool draw_room(struct drawing *drawing, struct image *image, struct error
     const struct state *state = drawing->state;
     draw_surfaces(drawing, image);
     draw_chart(image, &state->letters);
-    return true;
+    return end_view(drawing, image);
 }
 
 static bool draw_mipmapped(struct drawing *drawing, struct image *image, struct error *error) {
     (void)error;
     draw_surfaces(drawing, image);
-    return true;
+    return end_view(drawing, image);
 }
 
 /* ---- Scene: softer ---- */

@@ -139,11 +139,27 @@ static void draw_faces(struct drawing *drawing, struct canvas *canvas,
     count_pixels(drawing, canvas);
 }
 
+#include "attempts.h"
+
+static const struct scene_value gouraud_values[] = {
+    {"attempt",
+     "0 triangle(), 1 flat, 2 a normal for each pixel, 3 clamped at the pixel, 4 not clamped", 0, 4,
+     1, 0},
+    {.name = NULL},
+};
+
 static bool draw_gouraud(struct drawing *drawing, struct image *image, struct error *error) {
     (void)error;
+    static attempt_function *const attempts[] = {attempt_1_flat, attempt_3_normal, attempt_5_late,
+                                                 attempt_6_wrapped};
     const struct lighting lighting = {.light = vec3_normalized(drawing->light)};
+    const int attempt = (int)drawing_value(drawing, "attempt");
     struct canvas canvas = canvas_on(image, image->width, image->height, drawing);
-    draw_faces(drawing, &canvas, &lighting);
+    if (attempt > 0) {
+        attempt_model(&canvas, drawing->model, lighting.light, attempts[attempt - 1]);
+    } else {
+        draw_faces(drawing, &canvas, &lighting);
+    }
     return true;
 }
 
@@ -319,6 +335,7 @@ static const struct scene scenes[] = {
     {
         .name = "gouraud",
         .needs = NEEDS_MODEL | NEEDS_NORMALS | NEEDS_DEPTH,
+        .values = gouraud_values,
         .draw = draw_gouraud,
     },
     {

@@ -176,6 +176,7 @@ static const struct scene_value matrix_values[] = {
     {"move_y", "last column", -2, 2, 0.05, 0},
     {"w_by_1", "last row: w gains this times x", -0.4, 0.4, 0.02, 0},
     {"w_by_2", "last row: w gains this times y", -0.4, 0.4, 0.02, 0},
+    {"space", "also x, y and w in space, with the plane w = 1", 0, 1, 1, 0},
     {.name = NULL},
 };
 
@@ -202,6 +203,34 @@ static void note_mapped(struct drawing *drawing, const struct image *image,
     }
 }
 
+/* A corner of the picture shows x, y and w in space: w goes up and y to the back. The mapped house
+ * is an outline; rays from the origin through its corners meet the plane w = 1 in the picture. */
+static void draw_space(struct image *image, const struct mat4 *map) {
+    const struct plane plane = {image, {0, 0, (int)image->width / 2, (int)image->height / 2}};
+    const struct mat4 aside = {{{0.36, 0.16, 0, 0}, {0, 0.26, 0, 0.9}, {0, 0, 1, 0}, {0, 0, 0, 1}}};
+    const struct mat4 to_screen =
+        mat4_mul(area_to_screen(plane.area), mat4_translation((struct vec3){0, -0.8, 0}));
+    const struct mat4 ground = mat4_mul(to_screen, aside), divided = mat4_mul(ground, *map);
+    struct mat4 undivided = mat4_mul(aside, *map);
+    const struct vec2 corner[] = {{-2, -2}, {2, -2}, {2, 2}, {-2, 2}};
+    for (int i = 0; i < 4; i++) {
+        undivided.m[3][i] = i == 3; /* w is a third coordinate here, by which nothing is divided */
+    }
+    plane_triangle(&plane, &ground, corner[0], corner[1], corner[2], color_grey(60));
+    plane_triangle(&plane, &ground, corner[0], corner[2], corner[3], color_grey(60));
+    draw_house(&plane, &divided);
+    for (int i = 0; i < 2 * PART_CORNERS; i++) { /* of the wall and the roof */
+        const struct vec2 c = house[1 + i / PART_CORNERS].corner[i % PART_CORNERS];
+        const struct vec4 end = mat4_point(&undivided, (struct vec3){c.x, c.y, 0});
+        const struct vec4 on = mat4_point(map, (struct vec3){c.x, c.y, 0});
+        const double longer = fmax(1, 1 / on.w);
+        plane_line(&plane, &to_screen, (struct vec2){0, 0},
+                   (struct vec2){end.x * longer, end.y * longer}, color_grey(120));
+    }
+    undivided = mat4_mul(to_screen, undivided);
+    outline_house(&plane, &undivided, color_grey(255));
+}
+
 /* The house as it is, unless the matrix is another. */
 static bool draw_unmapped(struct drawing *drawing, struct image *image, struct error *error) {
     (void)error;
@@ -219,6 +248,9 @@ static bool draw_unmapped(struct drawing *drawing, struct image *image, struct e
     }
     const struct mat4 mapped = mat4_mul(twice, map);
     draw_mapped(&plane, &mapped);
+    if (drawing_value(drawing, "space") != 0) {
+        draw_space(image, &map);
+    }
     note_mapped(drawing, image, &map);
     return true;
 }
@@ -246,7 +278,7 @@ struct position {
 
 struct state {
     struct position *positions; /* one for each position of the model */
-    bool uncut;                 /* draw faces as they are, also where they pass behind the camera */
+    int attempt;                /* at the near plane: 0 cut, 1 divided by any w, 2 left out */
 };
 
 /* Each position is transformed once, however many faces share it. */
@@ -395,9 +427,11 @@ static void draw_face(const struct drawing *drawing, struct canvas *canvas, size
                                   &state->positions[c[2].position]};
     unsigned beyond_all = corner[0]->beyond & corner[1]->beyond & corner[2]->beyond;
     unsigned beyond_any = corner[0]->beyond | corner[1]->beyond | corner[2]->beyond;
-    if (drawing->skip && (beyond_all & ~(unsigned)BEYOND_GUARD_BAND) != 0) {
-        canvas->faces_outside++; /* all of it is beyond one side */
-    } else if ((beyond_any & (BEYOND_NEAR | BEYOND_GUARD_BAND)) != 0 && !state->uncut) {
+    const bool crosses = (beyond_any & (BEYOND_NEAR | BEYOND_GUARD_BAND)) != 0;
+    if ((drawing->skip && (beyond_all & ~(unsigned)BEYOND_GUARD_BAND) != 0) ||
+        (crosses && state->attempt == 2)) {
+        canvas->faces_outside++; /* all of it is beyond one side, or it is left out */
+    } else if (crosses && state->attempt == 0) {
         struct polygon polygon = clip_face(corner[0]->clip, corner[1]->clip, corner[2]->clip);
         draw_clipped(drawing, canvas, face, &polygon);
     } else {
@@ -443,7 +477,7 @@ static void note_corner(struct drawing *drawing, const struct image *image,
 
 static void draw_faces(struct drawing *drawing, struct canvas *canvas, const struct mat4 *to_clip) {
     struct state *state = drawing->state;
-    state->uncut = drawing_value(drawing, "uncut") != 0;
+    state->attempt = (int)drawing_value(drawing, "attempt");
     transform_positions(drawing, to_clip);
     for (size_t i = 0; drawing_take_part(drawing, i); i++) {
         canvas->texture = drawing->diffuse;
@@ -568,8 +602,7 @@ static bool draw_projection(struct drawing *drawing, struct image *image, struct
     (void)error;
     const int size = (int)image->width / 5;
     const struct rectangle corner = {0, (int)image->height - size, size, size};
-    const double farther = drawing_value(drawing, "farther");
-    draw_facets(drawing, image, whole_image(image), farther * eye_distance(drawing));
+    draw_facets(drawing, image, whole_image(image), eye_distance(drawing));
     draw_facets(drawing, image, corner, INFINITY);
     return true;
 }
@@ -917,23 +950,17 @@ static void finish(struct drawing *drawing) {
 
 enum { NEEDS_VIEW = NEEDS_MODEL | NEEDS_NORMALS | NEEDS_DIFFUSE | NEEDS_DEPTH };
 
-static const struct scene_value distance_value[] = {
-    {"farther", "how many times as far away the eye is", 0.4, 10, 0.1, 1},
-    {.name = NULL},
-};
-
+#define VIEW_VALUES                                                                                \
+    {"near", "w of the near plane", 1.0 / 128, 1, 1.0 / 128, 1.0 / 128},                           \
+        {"attempt", "0 cut, 1 divided by any w, 2 left out", 0, 2, 1, 0}, {                        \
+        "affine", "mixed without 1/w", 0, 1, 1, 0                                                  \
+    }
 static const struct scene_value wall_values[] = {
     {"far", "w of the wall's far end", 0.5, 8, 0.1, 2},
-    {"affine", "mixed without 1/w", 0, 1, 1, 0},
+    VIEW_VALUES,
     {.name = NULL},
 };
-
-static const struct scene_value view_values[] = {
-    {"near", "w of the near plane", 1.0 / 128, 1, 1.0 / 128, 1.0 / 128},
-    {"uncut", "faces are not cut at the near plane", 0, 1, 1, 0},
-    {"affine", "mixed without 1/w", 0, 1, 1, 0},
-    {.name = NULL},
-};
+static const struct scene_value view_values[] = {VIEW_VALUES, {.name = NULL}};
 
 static const struct scene scenes[] = {
     /* Not square, and odd: exchanged or halved sizes show. */
@@ -956,12 +983,7 @@ static const struct scene scenes[] = {
     {.name = "divided", .number = 8, .width = 400, .height = 400, .draw = draw_alone},
     {.name = "transforms", .draw = draw_transforms},
     {.name = "viewport", .needs = NEEDS_VIEW, .draw = draw_viewport},
-    {
-        .name = "projection",
-        .needs = NEEDS_VIEW,
-        .values = distance_value,
-        .draw = draw_projection,
-    },
+    {.name = "projection", .needs = NEEDS_VIEW, .draw = draw_projection},
     {.name = "crossing", .needs = NEEDS_DEPTH, .draw = draw_crossing},
     {.name = "wall", .needs = NEEDS_DEPTH, .values = wall_values, .draw = draw_wall},
     {.name = "narrow", .needs = NEEDS_VIEW, .draw = draw_narrow},

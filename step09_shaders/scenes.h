@@ -350,12 +350,19 @@ static bool draw_more_looks(struct drawing *drawing, struct image *image, struct
 
 /* ---- Scenes of the pipeline ---- */
 
+static const struct scene_value four_values[] = {
+    {"shader", "0 all four, 1 flat, 2 Gouraud, 3 flat textured, 4 Gouraud textured", 0, 4, 1, 0},
+    {.name = NULL},
+};
+
 static bool draw_four(struct drawing *drawing, struct image *image, struct error *error) {
     static const struct cell cells[] = {{&flat, CULL_BACK},
                                         {&gouraud, CULL_BACK},
                                         {&flat_textured, CULL_BACK},
                                         {&gouraud_textured, CULL_BACK}};
-    return draw_cells(drawing, image, cells, 2, 0.8, error); /* of a quarter: 0.4 of the picture */
+    const int one = (int)drawing_value(drawing, "shader");
+    return one > 0 ? draw_cells(drawing, image, &cells[one - 1], 1, 0.8, error)
+                   : draw_cells(drawing, image, cells, 2, 0.8, error); /* 0.4 of the picture */
 }
 
 static const struct scene_value toon_values[] = {
@@ -654,7 +661,12 @@ static const struct scene scenes[] = {
         .light = {1, 0.2, 0.5}, /* from the side; x, y, z all differ */
         .draw = draw_more_looks,
     },
-    {.name = "four", .needs = NEEDS_MODEL | NEEDS_NORMALS | NEEDS_DIFFUSE, .draw = draw_four},
+    {
+        .name = "four",
+        .needs = NEEDS_MODEL | NEEDS_NORMALS | NEEDS_DIFFUSE,
+        .values = four_values,
+        .draw = draw_four,
+    },
     {
         .name = "toon",
         .needs = NEEDS_MODEL | NEEDS_NORMALS,

@@ -329,6 +329,7 @@ static bool draw_shine(struct drawing *drawing, struct image *image, struct erro
 }
 
 static const struct scene_value light_values[] = {
+    {"shader", "0 all four, 1 plain, 2 normal map, 3 texture, 4 both", 0, 4, 1, 0},
     {"ambient", "weight of the ambient light", 0, 1, 0.01, 0.1},
     {"diffuse", "weight of the diffuse light", 0, 2, 0.01, 1},
     {"specular", "times as much specular light", 0, 3, 0.01, 1},
@@ -353,8 +354,9 @@ static bool draw_four(struct drawing *drawing, struct image *image, struct error
                                  {&mapped, white, NULL, NULL},
                                  {&textured, colored, NULL, NULL},
                                  {&full, colored, NULL, NULL}};
-    return draw_cells(drawing, image, cells, 2, 2, 0.8,
-                      error); /* of a quarter: 0.4 of the picture */
+    const int one = (int)drawing_value(drawing, "shader");
+    return one > 0 ? draw_cells(drawing, image, &cells[one - 1], 1, 1, 0.8, error)
+                   : draw_cells(drawing, image, cells, 2, 2, 0.8, error); /* 0.4 of the picture */
 }
 
 /* Powers 0 to 10 and three large ones; then the textured head with the weight, and with the power,

@@ -277,12 +277,6 @@ bool file_exists(const char *path) {
     return stat(path, &status) == 0;
 }
 
-bool file_is_same(const char *a, const char *b) {
-    struct stat of_a, of_b;
-    return stat(a, &of_a) == 0 && stat(b, &of_b) == 0 && of_a.st_dev == of_b.st_dev &&
-           of_a.st_ino == of_b.st_ino;
-}
-
 uint64_t file_size(const char *path) {
     struct stat status;
     return stat(path, &status) == 0 && status.st_size > 0 ? (uint64_t)status.st_size : 0;

@@ -36,9 +36,6 @@ bool file_write_encoded(const char *path, bool encoded, struct bytes *bytes, str
 
 bool file_exists(const char *path);
 
-/* Do both names lead to the same file? */
-bool file_is_same(const char *a, const char *b);
-
 /* Bytes in the file; 0 where there is none. */
 uint64_t file_size(const char *path);
 

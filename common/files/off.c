@@ -1,8 +1,9 @@
 /*
  * OFF files; see off.h. A line may end between any two words of them. It counts in four places: the
  * colour of a face ends with its line; where a line has one number more than a vertex with a
- * colour, that is alpha; the number of edges may be missing where those before it end their line;
- * and only where each vertex has a line may it have a colour of which the first word says nothing.
+ * colour, that is alpha; the number of edges may be missing where the line ends before it and the
+ * next has more than one word; and only where each vertex has a line may it have a colour of which
+ * the first word says nothing.
  */
 #include "files/off.h"
 
@@ -15,19 +16,11 @@
 
 /* ---- The first lines ---- */
 
-/* What the file does not say clearly, and how it is taken. */
-struct off_guess {
-    bool edges;   /* whether the number of edges is there, where the line ends before it: otherwise
-                   * than it looks */
-    bool colored; /* vertices have colours, though the first word names none */
-};
-
 /* The first word: ST, C, N, 4 and n in any order, then OFF, says what a vertex has. Where it is
  * missing, the file begins with its numbers. */
 struct off_kind {
     bool uv, color, normal;
     bool four, dimension; /* 4OFF: x y z w; nOFF: the number of dimensions follows */
-    bool only_drawn;      /* faces with fewer than 3 corners tell that the file is read amiss */
     bool own_lines;       /* each vertex has a line */
     bool lines;           /* faces of 2 corners are wanted */
     struct word rest;     /* what follows OFF in the same word: some writers leave out the blank */
@@ -115,16 +108,12 @@ static bool one_word_follows(struct text text) {
     return false;
 }
 
-/* Read over the number of edges, which nobody needs. Behind numbers that end their line it looks
- * like one where it has its own line. */
-static bool skip_edges(struct model_reader *reader, struct off_guess guess, bool *in_doubt) {
+/* Read over the number of edges, which nobody needs. Behind numbers that end their line it is alone
+ * in its own. */
+static bool skip_edges(struct model_reader *reader) {
     struct word word = text_next_word(&reader->text);
     int64_t ignored;
-    *in_doubt = word.length == 0;
-    if (*in_doubt && one_word_follows(reader->text) == guess.edges) {
-        return true;
-    }
-    if (word.length == 0 && !reader_next_word(reader, &word)) {
+    if (word.length == 0 && (!one_word_follows(reader->text) || !reader_next_word(reader, &word))) {
         return true;
     }
     return reader_parse_index(word, &ignored) ||
@@ -134,13 +123,11 @@ static bool skip_edges(struct model_reader *reader, struct off_guess guess, bool
 
 struct off_counts {
     size_t vertices, faces;
-    bool in_doubt; /* whether the number of edges follows */
 };
 
 /* The numbers of vertices, faces and edges, from `word` on. A vertex takes at least 6 bytes
  * ("0 0 0" and a blank), a face at least 2. */
-static bool read_counts(struct model_reader *reader, struct word word, struct off_guess guess,
-                        struct off_counts *counts) {
+static bool read_counts(struct model_reader *reader, struct word word, struct off_counts *counts) {
     if (word.length == 0 && !reader_next_line(reader, &word)) {
         return text_error(reader->error, reader->line,
                           "the numbers of vertices and faces are missing");
@@ -151,8 +138,7 @@ static bool read_counts(struct model_reader *reader, struct word word, struct of
     if (!reader_next_word(reader, &word)) {
         return text_error(reader->error, reader->line, "the number of faces is missing");
     }
-    if (!read_count(reader, word, "faces", &counts->faces) ||
-        !skip_edges(reader, guess, &counts->in_doubt)) {
+    if (!read_count(reader, word, "faces", &counts->faces) || !skip_edges(reader)) {
         return false;
     }
     uint64_t left = (uint64_t)(reader->text.end - reader->text.next) + 1;
@@ -162,16 +148,15 @@ static bool read_counts(struct model_reader *reader, struct word word, struct of
                       counts->vertices, counts->faces);
 }
 
-/* "OFF" and the numbers, with what is guessed. */
-static bool read_header(struct model_reader *reader, struct off_guess guess, struct off_kind *kind,
+/* "OFF" and the numbers. A guess: vertices have colours, though the first word names none. */
+static bool read_header(struct model_reader *reader, bool colored, struct off_kind *kind,
                         struct off_counts *counts) {
     struct word word;
     bool is_off = reader_next_line(reader, &word) && parse_keyword(word, kind);
     assert(is_off); /* or off_recognize() was not asked */
     (void)is_off;
-    kind->only_drawn = guess.edges;
-    kind->own_lines = guess.colored;
-    kind->color |= guess.colored;
+    kind->own_lines = colored;
+    kind->color |= colored;
     word = kind->rest.length > 0 ? kind->rest : text_next_word(&reader->text);
     if (kind->dimension) {
         if (word.length == 0 && !reader_next_line(reader, &word)) {
@@ -183,7 +168,7 @@ static bool read_header(struct model_reader *reader, struct off_guess guess, str
         }
         word = text_next_word(&reader->text);
     }
-    return read_counts(reader, word, guess, counts);
+    return read_counts(reader, word, counts);
 }
 
 /* ---- Vertices ---- */
@@ -318,9 +303,7 @@ static bool read_face(struct model_reader *reader, const struct off_kind *kind, 
         return false;
     }
     if (size < 3) { /* points are not drawn, and lines in lesson 2 alone */
-        return (!kind->only_drawn ||
-                text_error(reader->error, reader->line, "face has %zu corners", size)) &&
-               (!kind->lines || reader_add_lines(reader));
+        return !kind->lines || reader_add_lines(reader);
     }
     return reader_add_faces(reader) && (!colored || reader_color_faces(reader, first, color));
 }
@@ -335,16 +318,14 @@ static bool read_end(struct model_reader *reader, size_t faces) {
 
 /* ---- All of it ---- */
 
-static bool read_all(struct model_reader *reader, unsigned parts, struct off_guess guess,
-                     bool *in_doubt) {
+static bool read_all(struct model_reader *reader, unsigned parts, bool colored) {
     struct off_kind kind;
     struct off_counts counts = {0};
-    bool done = read_header(reader, guess, &kind, &counts);
-    *in_doubt = counts.in_doubt;
-    kind.lines = (parts & MODEL_LINES) != 0;
-    if (!done || !read_vertices(reader, &kind, counts.vertices)) {
+    if (!read_header(reader, colored, &kind, &counts) ||
+        !read_vertices(reader, &kind, counts.vertices)) {
         return false;
     }
+    kind.lines = (parts & MODEL_LINES) != 0;
     for (size_t i = 0; i < counts.faces; i++) {
         if (!read_face(reader, &kind, i, counts.faces)) {
             return false;
@@ -353,11 +334,11 @@ static bool read_all(struct model_reader *reader, unsigned parts, struct off_gue
     return read_end(reader, counts.faces) && reader_finish(reader);
 }
 
-static bool decode(struct model *model, const void *data, size_t size, unsigned parts,
-                   struct off_guess guess, bool *in_doubt, struct error *error) {
+static bool decode(struct model *model, const void *data, size_t size, unsigned parts, bool colored,
+                   struct error *error) {
     struct model_reader reader = {.model = model, .error = error};
-    bool done = text_begin(&reader.text, data, size, false, error) &&
-                read_all(&reader, parts, guess, in_doubt);
+    bool done =
+        text_begin(&reader.text, data, size, false, error) && read_all(&reader, parts, colored);
     model_reader_free(&reader);
     if (!done) {
         model_free(model);
@@ -365,21 +346,14 @@ static bool decode(struct model *model, const void *data, size_t size, unsigned 
     return done;
 }
 
-/* Where what looks right does not fit, another guess may; not with points and lines, which it
- * finds in many a file that is wrong elsewhere. Nor where memory ran out, an error that
- * names no line: a guess that needs less memory might fit, and be wrong. */
+/* Where what the first word says does not fit, there may be colours; not where memory ran out, an
+ * error that names no line: a guess that needs less memory might fit, and be wrong. */
 bool off_decode(struct model *model, const void *data, size_t size, unsigned parts,
                 struct error *error) {
-    struct error again = {.line = 1};
-    bool in_doubt = false;
+    struct error ignored;
     if (is_binary(data, size)) {
         return text_error(error, 1, "a binary OFF file: only text can be read");
     }
-    return decode(model, data, size, parts, (struct off_guess){0}, &in_doubt, error) ||
-           (error->line > 0 && in_doubt &&
-            decode(model, data, size, parts, (struct off_guess){.edges = true}, &in_doubt,
-                   &again)) ||
-           (error->line > 0 && again.line > 0 &&
-            decode(model, data, size, parts, (struct off_guess){.colored = true}, &in_doubt,
-                   &again));
+    return decode(model, data, size, parts, false, error) ||
+           (error->line > 0 && decode(model, data, size, parts, true, &ignored));
 }

@@ -20,9 +20,11 @@ enum {
     CHUNK_OVERHEAD = 12,      /* bytes of a chunk around its data */
     CHUNK_LIMIT = 0x7fffffff, /* bytes of data of a chunk */
     HEADER_SIZE = 13,         /* of IHDR */
-    PIXEL_LIMIT = 4,          /* bytes of a pixel */
+    FRAME_NUMBER_SIZE = 4,    /* of fdAT, before its pixels */
+    PIXEL_LIMIT = 8,          /* bytes of a pixel */
     PIXELS_OF_ANY = 1 << 24,  /* pixels that any file may have, however small it is */
-    PALETTE_LIMIT = 256
+    PALETTE_LIMIT = 256,
+    PASSES = 8
 };
 
 /* Row filters, as in the file. */
@@ -93,6 +95,21 @@ static inline void swap_colors(uint8_t *restrict to, const uint8_t *restrict fro
     }
 }
 
+/* A row of a file becomes one of an image, and the other way round. */
+static void swap_row(uint8_t *to, const uint8_t *from, size_t width, size_t channels) {
+    switch (channels) {
+    case 1:
+        memcpy(to, from, width);
+        break;
+    case 3:
+        swap_colors(to, from, width, 3);
+        break;
+    default:
+        swap_colors(to, from, width, 4);
+        break;
+    }
+}
+
 /* ---- Row filters ----
  *
  * A byte is predicted from those at its left (a), above (b) and above left (c), one pixel away; the
@@ -109,43 +126,28 @@ static inline uint8_t paeth(uint8_t a, uint8_t b, uint8_t c) {
     return (uint8_t)(place <= low ? high : low_or_c);
 }
 
-static void filter_row(unsigned filter, const uint8_t *row, const uint8_t *above, size_t size,
+/* What a filter expects in place of a byte. */
+static inline int predict(const unsigned filter, uint8_t a, uint8_t b, uint8_t c) {
+    return filter == FILTER_NONE      ? 0
+           : filter == FILTER_SUB     ? a
+           : filter == FILTER_UP      ? b
+           : filter == FILTER_AVERAGE ? (a + b) / 2
+                                      : paeth(a, b, c);
+}
+
+/* Compilers make a loop for each filter. */
+static void filter_row(const unsigned filter, const uint8_t *row, const uint8_t *above, size_t size,
                        size_t step, uint8_t *restrict out) {
     const uint8_t *left = row - step, *corner = above - step;
-    switch (filter) {
-    case FILTER_NONE:
-        memcpy(out, row, size);
-        break;
-    case FILTER_SUB:
-        for (size_t i = 0; i < size; i++) {
-            out[i] = (uint8_t)(row[i] - left[i]);
-        }
-        break;
-    case FILTER_UP:
-        for (size_t i = 0; i < size; i++) {
-            out[i] = (uint8_t)(row[i] - above[i]);
-        }
-        break;
-    case FILTER_AVERAGE:
-        for (size_t i = 0; i < size; i++) {
-            out[i] = (uint8_t)(row[i] - (left[i] + above[i]) / 2);
-        }
-        break;
-    default:
-        for (size_t i = 0; i < size; i++) {
-            out[i] = (uint8_t)(row[i] - paeth(left[i], above[i], corner[i]));
-        }
-        break;
+    for (size_t i = 0; i < size; i++) {
+        out[i] = (uint8_t)(row[i] - predict(filter, left[i], above[i], corner[i]));
     }
 }
 
 /* Undo the filter of a byte, whose left and corner neighbours then become those of the next one. */
 static inline void unfilter_byte(const unsigned filter, uint8_t *byte, uint8_t above, uint8_t *left,
                                  uint8_t *corner) {
-    unsigned predicted = filter == FILTER_SUB       ? *left
-                         : filter == FILTER_AVERAGE ? (*left + above) / 2u
-                                                    : paeth(*left, above, *corner);
-    *byte = (uint8_t)(*byte + predicted);
+    *byte = (uint8_t)(*byte + predict(filter, *left, above, *corner));
     *left = *byte;
     *corner = above;
 }
@@ -165,6 +167,9 @@ static inline void unfilter_pixels(const unsigned filter, uint8_t *restrict row,
         }
         if (step > 3) {
             unfilter_byte(filter, &row[i + 3], above[i + 3], &left[3], &corner[3]);
+        }
+        for (size_t k = 4; k < step; k++) { /* 16 bits a channel are rare */
+            unfilter_byte(filter, &row[i + k], above[i + k], &left[k], &corner[k]);
         }
     }
 }
@@ -194,19 +199,6 @@ static inline bool unfilter_row_of(unsigned filter, uint8_t *restrict row,
     }
 }
 
-/* The same for pixels of any size, which are rare. */
-static bool unfilter_large_pixels(unsigned filter, uint8_t *row, const uint8_t *above, size_t size,
-                                  size_t step) {
-    if (filter == FILTER_NONE || filter == FILTER_UP) {
-        return unfilter_row_of(filter, row, above, size, 1);
-    }
-    for (size_t i = 0; i < size; i++) {
-        uint8_t left = i < step ? 0 : row[i - step], corner = i < step ? 0 : above[i - step];
-        unfilter_byte(filter, &row[i], above[i], &left, &corner);
-    }
-    return filter < FILTER_COUNT;
-}
-
 static bool unfilter_row(unsigned filter, uint8_t *row, const uint8_t *above, size_t size,
                          size_t step) {
     switch (step) {
@@ -219,7 +211,7 @@ static bool unfilter_row(unsigned filter, uint8_t *row, const uint8_t *above, si
     case 4:
         return unfilter_row_of(filter, row, above, size, 4);
     default:
-        return unfilter_large_pixels(filter, row, above, size, step);
+        return unfilter_row_of(filter, row, above, size, step);
     }
 }
 
@@ -236,7 +228,7 @@ struct png {
     size_t width, height;
     unsigned depth; /* bits of a sample or a palette index */
     unsigned color_type;
-    bool interlaced;
+    size_t first_pass, end_pass;       /* of `passes` */
     uint8_t palette[PALETTE_LIMIT][4]; /* blue, green, red, alpha */
     size_t palette_size;
     bool has_alpha_chunk; /* a tRNS chunk */
@@ -337,7 +329,8 @@ static bool read_header(struct png *png, const struct chunk *chunk, struct error
     if (chunk->data[12] > 1) {
         return error_set(error, "a PNG with an unknown interlace method");
     }
-    png->interlaced = chunk->data[12] == 1;
+    png->first_pass = chunk->data[12];
+    png->end_pass = chunk->data[12] == 1 ? PASSES : 1;
     return check_depth(png, error);
 }
 
@@ -485,44 +478,23 @@ static void read_pixel(const struct png *png, const uint8_t *row, size_t x, uint
     bgra[3] = own_alpha ? level[channels - 1] : clear ? 0 : 255;
 }
 
-/* A row of pixels as they are in most files: eight bits a channel, and no colour that stands for
- * transparent. False, and nothing done, for any other. */
-static bool copy_plain_pixels(const struct png *png, const uint8_t *row, uint8_t *pixels) {
-    if (png->has_alpha_chunk || png->depth != 8) {
-        return false;
-    }
-    switch (png->color_type) {
-    case COLOR_GREY:
-        memcpy(pixels, row, png->width);
-        return true;
-    case COLOR_RGB:
-        swap_colors(pixels, row, png->width, 3);
-        return true;
-    case COLOR_RGBA:
-        swap_colors(pixels, row, png->width, 4);
-        return true;
-    default:
-        return false;
-    }
+/* Rows as they are in most files: eight bits a channel, and no colour that stands for
+ * transparent. */
+static bool has_plain_rows(const struct png *png) {
+    return png->depth == 8 && !png->has_alpha_chunk &&
+           (png->color_type == COLOR_GREY || png->color_type == COLOR_RGB ||
+            png->color_type == COLOR_RGBA);
 }
 
 /* Which pixels a part of the file holds: every so many, from the first, counted from the top left.
- * An interlaced file has seven parts (the specification's section 8.2), others one. */
+ * An interlaced file has all but the first of these parts (the specification's section 8.2), others
+ * the first alone. */
 struct pass {
     size_t x, y, x_step, y_step;
 };
 
-static const struct pass all_pixels = {0, 0, 1, 1};
-static const struct pass interlaced[] = {{0, 0, 8, 8}, {4, 0, 8, 8}, {0, 4, 4, 8}, {2, 0, 4, 4},
-                                         {0, 2, 2, 4}, {1, 0, 2, 2}, {0, 1, 1, 2}};
-
-static size_t pass_count(const struct png *png) {
-    return png->interlaced ? sizeof interlaced / sizeof interlaced[0] : 1;
-}
-
-static struct pass pass_at(const struct png *png, size_t i) {
-    return png->interlaced ? interlaced[i] : all_pixels;
-}
+static const struct pass passes[PASSES] = {{0, 0, 1, 1}, {0, 0, 8, 8}, {4, 0, 8, 8}, {0, 4, 4, 8},
+                                           {2, 0, 4, 4}, {0, 2, 2, 4}, {1, 0, 2, 2}, {0, 1, 1, 2}};
 
 /* Pixels in a row of the pass, and rows. */
 static size_t pass_width(const struct png *png, struct pass pass) {
@@ -540,8 +512,8 @@ static size_t row_bytes(const struct png *png, size_t width) {
 /* Bytes of all rows, each after the number of its filter. */
 static uint64_t raw_bytes(const struct png *png) {
     uint64_t sum = 0;
-    for (size_t i = 0; i < pass_count(png); i++) {
-        struct pass pass = pass_at(png, i);
+    for (size_t i = png->first_pass; i < png->end_pass; i++) {
+        struct pass pass = passes[i];
         size_t width = pass_width(png, pass);
         sum += width > 0 ? (uint64_t)pass_height(png, pass) * (1 + row_bytes(png, width)) : 0;
     }
@@ -555,6 +527,7 @@ static uint8_t *unpack_pass(const struct png *png, struct pass pass, uint8_t *ra
     size_t bits = channel_count(png->color_type) * png->depth;
     size_t step = bits < 8 ? 1 : bits / 8, pixel_size = (size_t)image->format;
     size_t width = pass_width(png, pass), size = row_bytes(png, width);
+    bool plain = pass.x_step == 1 && has_plain_rows(png);
     for (size_t y = pass.y; width > 0 && y < png->height; y += pass.y_step) {
         uint8_t *row = raw + 1;
         if (!unfilter_row(raw[0], row, above, size, step)) {
@@ -562,8 +535,10 @@ static uint8_t *unpack_pass(const struct png *png, struct pass pass, uint8_t *ra
             return NULL;
         }
         uint8_t *pixels = image->pixels + (png->height - 1 - y) * image->width * pixel_size;
-        bool copied = pass.x_step == 1 && copy_plain_pixels(png, row, pixels);
-        for (size_t x = 0; !copied && x < width; x++) {
+        if (plain) {
+            swap_row(pixels, row, width, pixel_size);
+        }
+        for (size_t x = 0; !plain && x < width; x++) {
             uint8_t bgra[4];
             read_pixel(png, row, x, bgra);
             memcpy(pixels + (pass.x + x * pass.x_step) * pixel_size, bgra, pixel_size);
@@ -576,8 +551,8 @@ static uint8_t *unpack_pass(const struct png *png, struct pass pass, uint8_t *ra
 
 static bool unpack_rows(const struct png *png, uint8_t *raw, const uint8_t *zeros,
                         struct image *image, struct error *error) {
-    for (size_t i = 0; raw != NULL && i < pass_count(png); i++) {
-        raw = unpack_pass(png, pass_at(png, i), raw, zeros, image, error);
+    for (size_t i = png->first_pass; raw != NULL && i < png->end_pass; i++) {
+        raw = unpack_pass(png, passes[i], raw, zeros, image, error);
     }
     return raw != NULL;
 }
@@ -666,22 +641,6 @@ static const uint8_t *part_row(const struct part *part, size_t y) {
     return image->pixels + ((part->y + y) * image->width + part->x) * (size_t)image->format;
 }
 
-/* Row y of the part as it is in the file, not yet filtered. */
-static void load_row(const struct part *part, size_t y, uint8_t *row) {
-    const uint8_t *pixel = part_row(part, y);
-    switch (part->image->format) {
-    case IMAGE_GREY:
-        memcpy(row, pixel, part->width);
-        break;
-    case IMAGE_BGR:
-        swap_colors(row, pixel, part->width, 3);
-        break;
-    default:
-        swap_colors(row, pixel, part->width, 4);
-        break;
-    }
-}
-
 /* How far the bytes of a row are from zero, counted as differences -128..127. */
 static uint32_t distance_from_zero(const uint8_t *bytes, size_t size) {
     uint32_t sum = 0; /* at most 4 * IMAGE_SIZE_LIMIT * 128 */
@@ -700,7 +659,7 @@ static void filter_rows(const struct part *part, uint8_t *rows, uint8_t *trial, 
     size_t size = part->width * step;
     uint8_t *row = rows + PIXEL_LIMIT, *above = rows + 2 * PIXEL_LIMIT + size;
     for (size_t y = part->height; y-- > 0; out += 1 + size) {
-        load_row(part, y, row);
+        swap_row(row, part_row(part, y), part->width, step);
         filter_row(FILTER_NONE, row, above, size, step, out + 1);
         out[0] = FILTER_NONE;
         uint32_t best = distance_from_zero(out + 1, size);
@@ -731,6 +690,9 @@ static bool compress_pixels(const struct part *part, struct bytes *out, struct e
     }
     filter_rows(part, rows, rows + 2 * (PIXEL_LIMIT + size), raw);
     done = zlib_compress(raw, part->height * (1 + size), out, error);
+    if (done && out->size > CHUNK_LIMIT - FRAME_NUMBER_SIZE) {
+        done = error_set(error, "%zu bytes of pixels do not fit into a chunk", out->size);
+    }
 end:
     free(rows);
     free(raw);
@@ -741,17 +703,8 @@ static struct part whole(const struct image *image) {
     return (struct part){image, 0, 0, image->width, image->height};
 }
 
-/* The compressed pixels, in as many chunks as they take. */
 static bool append_pixels(struct bytes *out, const struct bytes *compressed) {
-    for (size_t done = 0; done < compressed->size;) {
-        size_t left = compressed->size - done;
-        size_t part = left < CHUNK_LIMIT ? left : CHUNK_LIMIT;
-        if (!append_chunk(out, "IDAT", NULL, 0, compressed->data + done, part)) {
-            return false;
-        }
-        done += part;
-    }
-    return true;
+    return append_chunk(out, "IDAT", NULL, 0, compressed->data, compressed->size);
 }
 
 static bool append_end(struct bytes *out) {
@@ -830,18 +783,12 @@ static bool append_frame_control(struct bytes *out, uint32_t sequence, const str
 
 /* The compressed pixels of a frame: in IDAT for the first, whose fcTL has number 0, else in one
  * fdAT with the next number. */
-static bool append_frame_pixels(struct bytes *out, uint32_t sequence, const struct bytes *pixels,
-                                struct error *error) {
-    uint8_t number[4];
-    if (sequence == 0) {
-        return append_pixels(out, pixels) || error_out_of_memory(error);
-    }
-    if (pixels->size > CHUNK_LIMIT - sizeof number) {
-        return error_set(error, "a frame of %zu bytes does not fit into a chunk", pixels->size);
-    }
+static bool append_frame_pixels(struct bytes *out, uint32_t sequence, const struct bytes *pixels) {
+    uint8_t number[FRAME_NUMBER_SIZE];
     put_u32(number, sequence + 1);
-    return append_chunk(out, "fdAT", number, sizeof number, pixels->data, pixels->size) ||
-           error_out_of_memory(error);
+    return sequence == 0
+               ? append_pixels(out, pixels)
+               : append_chunk(out, "fdAT", number, sizeof number, pixels->data, pixels->size);
 }
 
 /* Frame `index` as fcTL and pixels. The chunks before it took the sequence numbers 0, 1, 3, 5... */
@@ -851,27 +798,12 @@ static bool append_frame(const struct image *frames, size_t index, unsigned dela
     struct part part = index == 0 ? whole(frame) : changed_part(&frames[index - 1], frame);
     uint32_t sequence = index == 0 ? 0 : (uint32_t)(2 * index - 1);
     struct bytes pixels = {0};
-    bool done =
-        compress_pixels(&part, &pixels, error) &&
-        (append_frame_control(out, sequence, &part, delay_ms) || error_out_of_memory(error)) &&
-        append_frame_pixels(out, sequence, &pixels, error);
+    bool done = compress_pixels(&part, &pixels, error) &&
+                ((append_frame_control(out, sequence, &part, delay_ms) &&
+                  append_frame_pixels(out, sequence, &pixels)) ||
+                 error_out_of_memory(error));
     bytes_free(&pixels);
     return done;
-}
-
-static bool check_frames(const struct image *frames, size_t count, unsigned delay_ms,
-                         struct error *error) {
-    enum { FRAME_LIMIT = 1 << 30 }; /* sequence numbers stay below 2^31 */
-    if (count < 1 || count > FRAME_LIMIT || delay_ms < 1 || delay_ms > 65535) {
-        return error_set(error, "an animation cannot have %zu frames of %u ms", count, delay_ms);
-    }
-    for (size_t i = 0; i < count; i++) {
-        if (frames[i].pixels == NULL || frames[i].width != frames[0].width ||
-            frames[i].height != frames[0].height || frames[i].format != frames[0].format) {
-            return error_set(error, "frame %zu of an animation is not like the first", i);
-        }
-    }
-    return true;
 }
 
 /* What comes before the first frame. */
@@ -883,8 +815,10 @@ static bool append_animation_head(struct bytes *out, const struct image *frame, 
 
 bool apng_encode(const struct image *frames, size_t count, unsigned delay_ms, struct bytes *out,
                  struct error *error) {
-    if (!check_frames(frames, count, delay_ms, error)) {
-        return false;
+    assert(count >= 1 && count < 1 << 30 && delay_ms >= 1 && delay_ms <= 65535);
+    for (size_t i = 0; i < count; i++) {
+        assert(frames[i].pixels != NULL && frames[i].width == frames[0].width &&
+               frames[i].height == frames[0].height && frames[i].format == frames[0].format);
     }
     size_t start = out->size;
     bool done = append_animation_head(out, &frames[0], count) || error_out_of_memory(error);

@@ -14,14 +14,12 @@
 
 /* A corner on the plane. Others are given by number. */
 struct polygon_node {
-    double x, y;                       /* two of the corner's coordinates, not rounded */
-    double turn;                       /* orientation here: positive where the polygon is convex */
-    uint32_t previous, next;           /* around the polygon */
-    uint32_t cell_previous, cell_next; /* in the list of the same cell, or NOTHING */
-    bool in_cell;                      /* not convex: is in the list of its cell */
-    bool waits;                        /* is in the queue */
-    bool changed;                      /* since then it has another neighbour */
-    bool gone;                         /* was cut off */
+    double x, y;             /* two of the corner's coordinates, not rounded */
+    double turn;             /* orientation here: positive where the polygon is convex */
+    uint32_t previous, next; /* around the polygon */
+    uint32_t cell_next;      /* in the list of the same cell, or NOTHING */
+    size_t queued;           /* its newest place in the queue */
+    bool in_cell;            /* is in the list of its cell */
 };
 
 /* ---- Which way points turn ---- */
@@ -156,21 +154,10 @@ static bool fan_is_right(const struct vec3 *corners, size_t size, struct vec3 no
  * each cut makes at most two new tests, each of which looks into the cells of the grid around the
  * ear. */
 
+/* What is in the queue before counts no more: others go first, so that ears stay small. */
 static void queue_add(struct polygon_cutter *cutter, uint32_t index) {
-    cutter->nodes[index].changed = cutter->nodes[index].waits;
-    if (!cutter->nodes[index].waits) {
-        cutter->nodes[index].waits = true;
-        cutter->queue[(cutter->queue_first + cutter->queue_count) % cutter->queue_size] = index;
-        cutter->queue_count++;
-    }
-}
-
-static uint32_t queue_take(struct polygon_cutter *cutter) {
-    uint32_t index = cutter->queue[cutter->queue_first];
-    cutter->queue_first = (cutter->queue_first + 1) % cutter->queue_size;
-    cutter->queue_count--;
-    cutter->nodes[index].waits = false;
-    return index;
+    cutter->nodes[index].queued = cutter->queue_count;
+    cutter->queue[cutter->queue_count++] = index;
 }
 
 /* The column or row of the grid. It never falls as the coordinate grows, so the cells of two ends
@@ -181,47 +168,29 @@ static size_t grid_place(const struct polygon_cutter *cutter, double coordinate,
     return place < cutter->grid_size ? place : cutter->grid_size - 1;
 }
 
-static uint32_t *cell_of(struct polygon_cutter *cutter, const struct polygon_node *node) {
+static void cell_add(struct polygon_cutter *cutter, struct polygon_node *node) {
     size_t column = grid_place(cutter, node->x, cutter->left, cutter->x_scale);
     size_t row = grid_place(cutter, node->y, cutter->bottom, cutter->y_scale);
-    return &cutter->cells[row * cutter->grid_size + column];
-}
-
-static void cell_add(struct polygon_cutter *cutter, uint32_t index) {
-    struct polygon_node *node = &cutter->nodes[index];
-    uint32_t *cell = cell_of(cutter, node);
+    uint32_t *cell = &cutter->cells[row * cutter->grid_size + column];
     node->in_cell = true;
-    node->cell_previous = NOTHING;
     node->cell_next = *cell;
-    if (*cell != NOTHING) {
-        cutter->nodes[*cell].cell_previous = index;
-    }
-    *cell = index;
+    *cell = (uint32_t)(node - cutter->nodes);
 }
 
-static void cell_remove(struct polygon_cutter *cutter, uint32_t index) {
-    struct polygon_node *node = &cutter->nodes[index];
-    node->in_cell = false;
-    if (node->cell_previous != NOTHING) {
-        cutter->nodes[node->cell_previous].cell_next = node->cell_next;
-    } else {
-        *cell_of(cutter, node) = node->cell_next;
-    }
-    if (node->cell_next != NOTHING) {
-        cutter->nodes[node->cell_next].cell_previous = node->cell_previous;
-    }
-}
-
-/* Find out how the polygon turns at a corner, after its neighbours changed. */
-static void update_turn(struct polygon_cutter *cutter, uint32_t index) {
+/* Find out how the polygon turns at a corner. */
+static void find_turn(struct polygon_cutter *cutter, uint32_t index) {
     struct polygon_node *node = &cutter->nodes[index];
     node->turn = orientation(&cutter->nodes[node->previous], node, &cutter->nodes[node->next]);
-    bool reflex = node->turn <= 0;
-    if (reflex && !node->in_cell) {
-        cell_add(cutter, index);
-    } else if (!reflex && node->in_cell) {
-        cell_remove(cutter, index);
+}
+
+/* After its neighbours changed. Only where the polygon crosses itself can a corner cease to be
+ * convex. Others may stay in the list of their cell. */
+static void update_corner(struct polygon_cutter *cutter, uint32_t index) {
+    find_turn(cutter, index);
+    if (cutter->nodes[index].turn <= 0 && !cutter->nodes[index].in_cell) {
+        cell_add(cutter, &cutter->nodes[index]);
     }
+    queue_add(cutter, index);
 }
 
 /* Does the polygon, where it comes back to the place of the corner `tip`, pass inside the corner's
@@ -245,7 +214,7 @@ static bool blocks_ear(const struct polygon_cutter *cutter, const struct polygon
                        const struct polygon_node *other) {
     const struct polygon_node *previous = &cutter->nodes[tip->previous],
                               *next = &cutter->nodes[tip->next];
-    if (same_place(other, previous) || same_place(other, next)) {
+    if (other->turn > 0 || same_place(other, previous) || same_place(other, next)) {
         return false;
     }
     if (same_place(other, tip)) {
@@ -314,11 +283,11 @@ static uint32_t any_node(const struct polygon_cutter *cutter, uint32_t start) {
     return start;
 }
 
-/* Room for the corners of a polygon that is cut by its ears. */
+/* The corners are in the queue once at first, and each cut puts two there. */
 static bool reserve_nodes(struct polygon_cutter *cutter, size_t size) {
     return array_extend(&cutter->nodes, &cutter->node_capacity, size, sizeof *cutter->nodes) &&
            array_extend(&cutter->cells, &cutter->cell_capacity, size, sizeof *cutter->cells) &&
-           array_extend(&cutter->queue, &cutter->queue_capacity, size, sizeof *cutter->queue);
+           array_extend(&cutter->queue, &cutter->queue_capacity, 3 * size, sizeof *cutter->queue);
 }
 
 /* A rectangle around the polygon. */
@@ -337,8 +306,11 @@ static void find_bounds(struct polygon_cutter *cutter, size_t size) {
     cutter->height = top - cutter->bottom;
 }
 
-/* An empty grid with about as many cells as there are corners. */
-static void grid_begin(struct polygon_cutter *cutter, size_t size) {
+/* A grid with about as many cells as there are corners. While ears grow and corners become fewer,
+ * it is made again, so that an ear reaches into as few cells as before. `start` is some corner that
+ * is still there. */
+static void make_grid(struct polygon_cutter *cutter, size_t size, uint32_t start) {
+    uint32_t index = start;
     cutter->grid_size = (size_t)sqrt((double)size);
     /* Both are positive: a polygon without area on the plane is cut as a fan. */
     cutter->x_scale = (double)cutter->grid_size / cutter->width;
@@ -346,44 +318,31 @@ static void grid_begin(struct polygon_cutter *cutter, size_t size) {
     for (size_t i = 0; i < cutter->grid_size * cutter->grid_size; i++) {
         cutter->cells[i] = NOTHING;
     }
-}
-
-/* The ears that are left grow, and the corners become fewer: make the cells larger, so that an ear
- * reaches into as few as before. `start` is some corner that is still there. */
-static void grid_coarsen(struct polygon_cutter *cutter, size_t size, uint32_t start) {
-    uint32_t index = start;
-    grid_begin(cutter, size);
     do {
-        if (cutter->nodes[index].in_cell) {
-            cell_add(cutter, index);
+        struct polygon_node *node = &cutter->nodes[index];
+        node->in_cell = false;
+        if (node->turn <= 0) {
+            cell_add(cutter, node);
         }
-        index = cutter->nodes[index].next;
+        index = node->next;
     } while (index != start);
 }
 
-/* Link the corners to a ring and list those where the polygon is not convex. */
-static void link_nodes(struct polygon_cutter *cutter, uint32_t size) {
+/* Link the corners to a ring and put all of them into the queue. */
+static void begin_ring(struct polygon_cutter *cutter, uint32_t size) {
+    cutter->queue_count = 0;
     for (uint32_t i = 0; i < size; i++) {
-        struct polygon_node *node = &cutter->nodes[i];
-        node->previous = i == 0 ? size - 1 : i - 1;
-        node->next = i + 1 == size ? 0 : i + 1;
-    }
-    for (uint32_t i = 0; i < size; i++) {
-        update_turn(cutter, i);
-    }
-}
-
-/* Put all corners into the queue. */
-static void queue_begin(struct polygon_cutter *cutter, uint32_t size) {
-    cutter->queue_first = cutter->queue_count = 0;
-    cutter->queue_size = size;
-    for (uint32_t i = 0; i < size; i++) {
+        cutter->nodes[i].previous = i == 0 ? size - 1 : i - 1;
+        cutter->nodes[i].next = i + 1 == size ? 0 : i + 1;
+        find_turn(cutter, i);
         if (is_spike(cutter, i)) { /* first: without them, less can be mistaken for an ear */
             queue_add(cutter, i);
         }
     }
     for (uint32_t i = 1; i <= size; i++) {
-        queue_add(cutter, i % size);
+        if (!is_spike(cutter, i % size)) {
+            queue_add(cutter, i % size);
+        }
     }
 }
 
@@ -399,16 +358,12 @@ static void add_triangle(struct polygon_cutter *cutter, uint32_t a, uint32_t b, 
 static void cut_off(struct polygon_cutter *cutter, uint32_t index) {
     struct polygon_node *tip = &cutter->nodes[index];
     add_triangle(cutter, tip->previous, index, tip->next);
-    if (tip->in_cell) {
-        cell_remove(cutter, index);
-    }
-    tip->gone = true;
+    tip->turn = 1; /* in nobody's way */
+    tip->queued = SIZE_MAX;
     cutter->nodes[tip->previous].next = tip->next;
     cutter->nodes[tip->next].previous = tip->previous;
-    update_turn(cutter, tip->previous);
-    update_turn(cutter, tip->next);
-    queue_add(cutter, tip->previous);
-    queue_add(cutter, tip->next);
+    update_corner(cutter, tip->previous);
+    update_corner(cutter, tip->next);
 }
 
 /* Cut the ear off, and at once whatever that turns into spikes, up to `cuts` triangles in all.
@@ -431,22 +386,19 @@ static bool cut_ears(struct polygon_cutter *cutter, size_t size) {
     size_t gridded = size; /* corners when the grid was made */
     uint64_t work = 0;
     find_bounds(cutter, size);
-    grid_begin(cutter, size);
-    link_nodes(cutter, (uint32_t)size);
-    queue_begin(cutter, (uint32_t)size);
-    while (cutter->triangle_count < cuts && work <= work_limit) {
-        bool waiting = cutter->queue_count > 0;
-        uint32_t index = waiting ? queue_take(cutter) : any_node(cutter, place);
-        const struct polygon_node *node = &cutter->nodes[index];
-        if (waiting && node->changed && !node->gone && !is_spike(cutter, index)) {
-            queue_add(cutter, index); /* others first, so that ears stay small */
-        } else if (!waiting || (!node->gone && is_ear(cutter, index, &work))) {
+    begin_ring(cutter, (uint32_t)size);
+    make_grid(cutter, size, place);
+    for (size_t i = 0; cutter->triangle_count < cuts && work <= work_limit;) {
+        bool waiting = i < cutter->queue_count;
+        uint32_t index = waiting ? cutter->queue[i] : any_node(cutter, place);
+        bool current = cutter->nodes[index].queued == i;
+        if (!waiting || (current && is_ear(cutter, index, &work))) {
             place = cut_ear(cutter, index, cuts);
-            size_t left = size - cutter->triangle_count;
-            if (left < gridded / 2) {
-                gridded = left;
-                grid_coarsen(cutter, left, place);
-            }
+        }
+        i += waiting;
+        if (size - cutter->triangle_count < gridded / 2) {
+            gridded = size - cutter->triangle_count;
+            make_grid(cutter, gridded, place);
         }
     }
     add_triangle(cutter, cutter->nodes[place].previous, place, cutter->nodes[place].next);

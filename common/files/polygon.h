@@ -50,8 +50,8 @@ struct polygon_cutter {
     double left, bottom;     /* of the polygon on its plane */
     double width, height;    /* likewise */
     double x_scale, y_scale; /* cells per unit of length */
-    uint32_t *queue;         /* a ring: corners of which it is not known whether they are ears */
-    size_t queue_first, queue_count, queue_size;
+    uint32_t *queue;         /* corners of which it is not known whether they are ears */
+    size_t queue_count;
 };
 
 /* Cut the polygon of `size` corners (3 or more, below UINT32_MAX), with coordinates of -1e120 to

@@ -14,23 +14,14 @@ struct side {
     bool falls; /* the face goes from `high` to `low` */
 };
 
-/* Faces of which it is known whether they are wound alike: a tree of those that led there. */
-struct group {
-    uint32_t parent, size; /* a root is its own parent; the size counts there */
-    bool differs;          /* from the parent */
-};
-
 static bool joins_the_same(const struct side *a, const struct side *b) {
     return a->low == b->low && a->high == b->high;
 }
 
 static int compare_sides(const void *a, const void *b) {
     const struct side *x = a, *y = b;
-    if (!joins_the_same(x, y)) {
-        return x->low != y->low ? (x->low > y->low) - (x->low < y->low)
-                                : (x->high > y->high) - (x->high < y->high);
-    }
-    return (x->face > y->face) - (x->face < y->face);
+    return x->low != y->low ? (x->low > y->low) - (x->low < y->low)
+                            : (x->high > y->high) - (x->high < y->high);
 }
 
 static struct side side_of(const struct model *model, uint32_t face, int i) {
@@ -39,71 +30,62 @@ static struct side side_of(const struct model *model, uint32_t face, int i) {
     return a < b ? (struct side){a, b, face, false} : (struct side){b, a, face, true};
 }
 
-/* The root of a face's group, and whether the face is wound otherwise. */
-static uint32_t find_root(const struct group *groups, uint32_t face, bool *differs) {
-    for (*differs = false; groups[face].parent != face; face = groups[face].parent) {
-        *differs = *differs != groups[face].differs;
+/* Sets of faces that are known to be wound alike. Each face is in two of them: by its number as it
+ * is, and turned over by its number and that of all faces. A number leads to a smaller one of its
+ * set, and the least to itself. */
+static size_t find_least(size_t *lower, size_t number) {
+    while (lower[number] != number) {
+        lower[number] = lower[lower[number]];
+        number = lower[number];
     }
-    return face;
+    return number;
 }
 
-/* The smaller group hangs below the root of the larger one, so that ways stay short. */
-static void join(struct group *groups, uint32_t a, uint32_t b, bool differ) {
-    bool a_differs, b_differs;
-    uint32_t root = find_root(groups, a, &a_differs), other = find_root(groups, b, &b_differs);
-    if (root == other) {
-        return;
-    }
-    if (groups[root].size < groups[other].size) {
-        uint32_t smaller = root;
-        root = other;
-        other = smaller;
-    }
-    groups[other].parent = root;
-    groups[other].differs = (a_differs != b_differs) != differ;
-    groups[root].size += groups[other].size;
+static void join(size_t *lower, size_t a, size_t b) {
+    size_t least = find_least(lower, a), other = find_least(lower, b);
+    lower[least > other ? least : other] = least < other ? least : other;
 }
 
 /* Neighbours go along their common side in opposite directions. Where three faces meet, none says
  * anything of another. */
-static void join_neighbours(struct group *groups, const struct side *sides, size_t count) {
-    for (size_t begin = 0, end; begin < count; begin = end) {
+static void join_neighbours(size_t *lower, size_t faces, const struct side *sides) {
+    for (size_t begin = 0, end; begin < 3 * faces; begin = end) {
         const struct side *a = &sides[begin];
-        for (end = begin + 1; end < count && joins_the_same(a, &sides[end]); end++) {
+        for (end = begin + 1; end < 3 * faces && joins_the_same(a, &sides[end]); end++) {
         }
         if (end == begin + 2) {
-            join(groups, a[0].face, a[1].face, a[0].falls == a[1].falls);
+            bool alike = a[0].falls != a[1].falls;
+            join(lower, a[0].face, alike ? a[1].face : a[1].face + faces);
+            join(lower, a[0].face + faces, alike ? a[1].face + faces : a[1].face);
         }
     }
 }
 
-/* Wind the faces of each connected part alike, in one of the two ways. */
+/* Wind the faces of each connected part as its first one is. */
 static bool wind_alike(struct model *model) {
-    size_t count = 3 * model->face_count;
-    struct side *sides = malloc((count + 1) * sizeof *sides);
-    struct group *groups = malloc((model->face_count + 1) * sizeof *groups);
-    bool done = sides != NULL && groups != NULL;
-    for (uint32_t i = 0; done && i < model->face_count; i++) {
-        groups[i] = (struct group){.parent = i, .size = 1};
-        for (int j = 0; j < 3; j++) {
-            sides[3 * (size_t)i + (size_t)j] = side_of(model, i, j);
-        }
+    size_t faces = model->face_count;
+    struct side *sides = malloc((3 * faces + 1) * sizeof *sides);
+    size_t *lower = malloc((2 * faces + 1) * sizeof *lower);
+    bool done = sides != NULL && lower != NULL;
+    for (size_t i = 0; done && i < 3 * faces; i++) {
+        sides[i] = side_of(model, (uint32_t)(i / 3), (int)(i % 3));
+    }
+    for (size_t i = 0; done && i < 2 * faces; i++) {
+        lower[i] = i;
     }
     if (done) {
-        qsort(sides, count, sizeof *sides, compare_sides);
-        join_neighbours(groups, sides, count);
+        qsort(sides, 3 * faces, sizeof *sides, compare_sides);
+        join_neighbours(lower, faces, sides);
     }
-    for (uint32_t i = 0; done && i < model->face_count; i++) {
+    for (size_t i = 0; done && i < faces; i++) {
         struct corner *corner = model->faces[i].corner, second = corner[1];
-        bool differs;
-        find_root(groups, i, &differs);
-        if (differs) {
+        if (find_least(lower, i) > find_least(lower, i + faces)) {
             corner[1] = corner[2];
             corner[2] = second;
         }
     }
     free(sides);
-    free(groups);
+    free(lower);
     return done;
 }
 

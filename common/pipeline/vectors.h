@@ -17,10 +17,6 @@
 
 #include "lanes.h"
 
-#if LANES >= 8 && defined(__AVX2__)
-#include <immintrin.h>
-#endif
-
 /* ---- LANES numbers ---- */
 
 /* Lanes 0 to `first` - 1 of a, the others of b. */
@@ -40,19 +36,6 @@ LANES_INLINE uint32_t lanes_bits(lanes_int mask) {
         bits |= (uint32_t)(mask[i] != 0) << i;
     }
     return bits;
-#endif
-}
-
-/* The next lower whole number, of any number: what is beyond 2^22 may become any other one. */
-LANES_INLINE lanes lanes_floor_any(lanes a) {
-#if LANES_OF_TYPE(REAL) == 16 && defined(__AVX512F__)
-    return (lanes)_mm512_floor_ps((__m512)a);
-#elif LANES_OF_TYPE(REAL) == 8 && defined(__AVX2__)
-    return (lanes)_mm256_floor_ps((__m256)a);
-#else
-    const real whole = LANES_IS_FLOAT ? 0x1.8p23f : (real)0x1.8p52; /* so large: no fraction */
-    lanes nearest = (a + whole) - whole;
-    return lanes_select(nearest > a, nearest - 1, nearest);
 #endif
 }
 

@@ -45,10 +45,10 @@ void live_describe(const struct program *program, FILE *out) {
         fprintf(out, "%s{\"name\":\"%s\",\"width\":%zu,\"height\":%zu,\"frames\":%zu%s",
                 i > 0 ? "," : "", scene.name, scene.width, scene.height, scene.frames,
                 scene.extra ? ",\"extra\":true" : "");
-        if (program->takes_light) {
+        if (program->takes_light && scene.needs != 0) {
             describe_vec3("light", scene.light, out);
         }
-        if (program->takes_camera) {
+        if (program->takes_camera && scene.needs != 0) {
             describe_vec3("eye", scene.eye, out);
             describe_vec3("center", scene.center, out);
             describe_vec3("up", scene.up, out);

@@ -95,6 +95,17 @@ static bool parse_pixel(const struct program *program, const char *value, void *
     return done;
 }
 
+const struct scene_value *find_value(const struct scene_value *values,
+                                     const struct chosen_value *chosen) {
+    const struct scene_value *value = values;
+    while (value != NULL && value->name != NULL &&
+           (strlen(value->name) != chosen->length ||
+            memcmp(value->name, chosen->name, chosen->length) != 0)) {
+        value++;
+    }
+    return value != NULL && value->name != NULL ? value : NULL;
+}
+
 static bool is_within(const struct scene_value *known, double value) {
     return known != NULL && value >= known->least && value <= known->most;
 }
@@ -147,15 +158,16 @@ _Static_assert(REPEAT_LIMIT == 1000000, "the largest of REPEATS");
 #define FORMATS ": " IMAGE_FILE_NAMES
 #define POINT   "three numbers X,Y,Z"
 
+/* What a program must have for an option to make sense. */
 enum condition {
-    ALWAYS,
-    WITH_MODEL,
-    WITH_TEXTURE,
-    WITH_NORMAL_MAP,
-    WITH_SPECULAR,
-    WITH_CAMERA,
-    WITH_LIGHT,
-    WITH_VALUES
+    ALWAYS = 1,
+    WITH_MODEL = 2,
+    WITH_TEXTURE = 4,
+    WITH_NORMAL_MAP = 8,
+    WITH_SPECULAR = 16,
+    WITH_CAMERA = 32,
+    WITH_LIGHT = 64,
+    WITH_VALUES = 128
 };
 
 #define FIELD(name) offsetof(struct options, name)
@@ -277,24 +289,15 @@ static bool takes_values(const struct program *program) {
 }
 
 static bool takes_option(const struct program *program, const struct option *option) {
-    switch (option->condition) {
-    case WITH_MODEL:
-        return program_takes_model(program);
-    case WITH_TEXTURE:
-        return (needs_of(program) & NEEDS_DIFFUSE) != 0;
-    case WITH_NORMAL_MAP:
-        return (needs_of(program) & NEEDS_NORMAL_MAP) != 0;
-    case WITH_SPECULAR:
-        return (needs_of(program) & NEEDS_SPECULAR) != 0;
-    case WITH_CAMERA:
-        return program->takes_camera;
-    case WITH_LIGHT:
-        return program->takes_light;
-    case WITH_VALUES:
-        return takes_values(program);
-    default:
-        return true;
-    }
+    unsigned needs = needs_of(program);
+    unsigned has = ALWAYS | (program_takes_model(program) ? WITH_MODEL : 0) |
+                   ((needs & NEEDS_DIFFUSE) != 0 ? WITH_TEXTURE : 0) |
+                   ((needs & NEEDS_NORMAL_MAP) != 0 ? WITH_NORMAL_MAP : 0) |
+                   ((needs & NEEDS_SPECULAR) != 0 ? WITH_SPECULAR : 0) |
+                   (program->takes_camera ? WITH_CAMERA : 0) |
+                   (program->takes_light ? WITH_LIGHT : 0) |
+                   (takes_values(program) ? WITH_VALUES : 0);
+    return (has & option->condition) != 0;
 }
 
 static const struct option *find_option(const struct program *program, const char *name) {

@@ -1,5 +1,5 @@
 /*
- * The options of the command line; private to program.c.
+ * The options of the command line; private to program.c and stage.c.
  *
  * options.c has them in one table: a name, what it wants, a line of help, a function that
  * reads it. To add an option: a row there and a field here.
@@ -8,7 +8,18 @@
 #define COMMON_OPTIONS_H
 
 #include "files/image_file.h"
-#include "run/stage.h"
+#include "run/scene.h"
+
+/* NAME=VALUE of a --set. */
+struct chosen_value {
+    const char *name; /* of `length` bytes */
+    size_t length;
+    double value;
+};
+
+/* The number of a list that this chooses; NULL where it has none of that name. */
+const struct scene_value *find_value(const struct scene_value *values,
+                                     const struct chosen_value *chosen);
 
 struct vec3_option {
     bool given;
@@ -36,7 +47,7 @@ struct options {
     const char *textures[MODEL_TEXTURE_KINDS]; /* files; NULL for those next to the model */
     struct chosen_value set[VALUE_LIMIT];
     size_t set_count;
-    int turns[3];  /* quarter turns */
+    int turns[3];  /* quarter turns of the model: see fit.h */
     size_t repeat; /* 0 without --repeat */
     struct pixel_option probe;
     size_t frame; /* 1 and on, of an animation; 0 without --frame */

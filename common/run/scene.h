@@ -31,7 +31,8 @@ enum need {
 
 /* A number of a scene that --set changes, within its range. A list of them ends with one that has
  * no name; every scene has its own list, or none. Two that are called NAME_x and NAME_y are a point
- * to drag: their ranges are the picture, from left to right and from the bottom up. */
+ * to drag: their ranges are the picture, from left to right and from the bottom up. A help that
+ * names each number, "0 flat, 1 smooth", gets a button for each. */
 struct scene_value {
     const char *name;                /* letters, digits and '_' */
     const char *help;                /* what it is, in a few words */

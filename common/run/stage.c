@@ -71,17 +71,6 @@ bool drawing_take_part(struct drawing *drawing, size_t i) {
 
 /* ---- Numbers of scenes ---- */
 
-const struct scene_value *find_value(const struct scene_value *values,
-                                     const struct chosen_value *chosen) {
-    const struct scene_value *value = values;
-    while (value != NULL && value->name != NULL &&
-           (strlen(value->name) != chosen->length ||
-            memcmp(value->name, chosen->name, chosen->length) != 0)) {
-        value++;
-    }
-    return value != NULL && value->name != NULL ? value : NULL;
-}
-
 double drawing_value(const struct drawing *drawing, const char *name) {
     const struct scene_value *values = drawing->values;
     for (size_t i = 0; values != NULL && values[i].name != NULL; i++) {
@@ -106,10 +95,11 @@ static void set_values(struct drawing *drawing, const struct scene *scene, const
         assert(i < VALUE_LIMIT);
         drawing->value[i] = scene->values[i].value;
     }
-    for (size_t i = 0; i < run->chosen_count; i++) {
-        const struct scene_value *value = find_value(scene->values, &run->chosen[i]);
+    for (size_t i = 0; i < run->asked->set_count; i++) {
+        const struct chosen_value *chosen = &run->asked->set[i];
+        const struct scene_value *value = find_value(scene->values, chosen);
         if (value != NULL) {
-            drawing->value[value - scene->values] = run->chosen[i].value;
+            drawing->value[value - scene->values] = chosen->value;
         }
     }
 }
@@ -160,7 +150,7 @@ struct loaded run_loaded(const struct run *run) {
 
 static void free_models(struct run *run) {
     model_free(&run->model);
-    for (size_t i = 0; i < run->more_count; i++) {
+    for (size_t i = 0; i < MODELS_LIMIT - 1; i++) {
         model_free(&run->others[i]);
     }
 }
@@ -189,14 +179,14 @@ static unsigned needed_parts(unsigned needs) {
 /* Turn it, show its faces from both sides, fit it into view, as the options say. */
 static bool place_model(const struct run *run, struct model *model, bool need_normals,
                         struct error *error) {
-    const int *turns = run->turns;
+    const int *turns = run->options->turns;
     if (turns[0] != 0 || turns[1] != 0 || turns[2] != 0) {
         model_turn(model, turns);
     }
-    if (run->two_sided && !model_add_other_sides(model, need_normals, error)) {
+    if (run->options->two_sided && !model_add_other_sides(model, need_normals, error)) {
         return false;
     }
-    if (run->fit) {
+    if (run->options->fit) {
         model_fit(model, run->program->takes_camera);
     }
     return true;
@@ -228,15 +218,15 @@ static bool load_model(struct run *run, const struct scene *scene, struct error 
                                  : error_set(error, "%s: no such file; `make` sculpts it", path);
         free(path);
     }
-    memcpy(run->model.texture_files, run->texture_files, sizeof run->texture_files);
+    memcpy(run->model.texture_files, run->options->textures, sizeof run->options->textures);
     run->has_materials = (needs & NEEDS_DIFFUSE) != 0 &&
-                         run->texture_files[MODEL_DIFFUSE] == NULL &&
+                         run->options->textures[MODEL_DIFFUSE] == NULL &&
                          model_has_materials(&run->model);
     done = done && (!run->has_materials || parts_move_coordinates(&run->model, error));
     bool need_normals = (parts & MODEL_NORMALS) != 0;
     done = done && place_model(run, &run->model, need_normals, error);
-    for (size_t i = 0; done && i < run->more_count; i++) {
-        done = model_read_parts(&run->others[i], run->more[i], parts, error) &&
+    for (size_t i = 0; done && i < run->options->more_count; i++) {
+        done = model_read_parts(&run->others[i], run->options->more[i], parts, error) &&
                place_model(run, &run->others[i], need_normals, error);
     }
     run->model_file = done ? file : NULL;
@@ -316,9 +306,9 @@ static bool load_texture(struct run *run, unsigned needs, enum model_texture_kin
     if ((needs & replacements[kind].need) == 0) {
         return true;
     }
-    if (run->model.uv_count == 0 && run->texture_files[kind] != NULL) {
+    if (run->model.uv_count == 0 && run->options->textures[kind] != NULL) {
         error_set(error, "has no texture coordinates, without which %s cannot be drawn",
-                  run->texture_files[kind]);
+                  run->options->textures[kind]);
         return error_name_input(error, run->model.path);
     }
     if (run->has_materials && kind == MODEL_DIFFUSE) {
@@ -343,7 +333,7 @@ static bool load_texture(struct run *run, unsigned needs, enum model_texture_kin
         error_name_input(&run->replaced[kind], run->model.path);
         *guessed = false; /* it is said */
     }
-    if (*texture != NULL || run->texture_files[kind] != NULL) {
+    if (*texture != NULL || run->options->textures[kind] != NULL) {
         return *texture != NULL;
     }
     error_set(&run->replaced[kind], "%s; %s instead (%s)", error->message,
@@ -361,13 +351,14 @@ static bool take_parts(struct run *run, unsigned needs, struct drawing *drawing,
                        struct error *error) {
     struct error missing = {0};
     if (!run->has_materials) {
-        drawing->repeats =
-            run->model.uv_count == 0 ? 1 : parts_repeats(&run->model, &run->model, run->two_sided);
+        drawing->repeats = run->model.uv_count == 0
+                               ? 1
+                               : parts_repeats(&run->model, &run->model, run->options->two_sided);
         return true;
     }
-    run->parts.two_sided = run->two_sided;
+    run->parts.two_sided = run->options->two_sided;
     run->parts.with_normal_maps =
-        (needs & NEEDS_NORMAL_MAP) != 0 && run->texture_files[MODEL_NORMAL_MAP] == NULL;
+        (needs & NEEDS_NORMAL_MAP) != 0 && run->options->textures[MODEL_NORMAL_MAP] == NULL;
     if (!parts_make(&run->parts, &run->model, &missing, error)) {
         return false;
     }
@@ -398,8 +389,8 @@ static bool load_needs(struct run *run, const struct scene *scene, struct drawin
         return false;
     }
     drawing->model = drawing->models[0] = &run->model;
-    drawing->model_count = 1 + run->more_count;
-    for (size_t i = 0; i < run->more_count; i++) {
+    drawing->model_count = 1 + run->options->more_count;
+    for (size_t i = 0; i < run->options->more_count; i++) {
         drawing->models[i + 1] = &run->others[i];
         if ((needs & NEEDS_NORMALS) != 0 && !model_need_normals(&run->others[i], error)) {
             return false;
@@ -444,10 +435,10 @@ bool stage_begin(struct stage *stage, struct run *run, const struct scene *scene
                     .center = scene->center,
                     .up = scene->up,
                     .light = scene->light,
-                    .skip = !run->no_skip,
-                    .stats = run->stats,
-                    .probed = run->probed,
-                    .probe = run->probe,
+                    .skip = !run->asked->no_skip,
+                    .stats = run->asked->stats,
+                    .probed = run->asked->probe.given,
+                    .probe = run->asked->probe.value,
                     .number = scene->number},
         .pixel_count = width * height,
     };

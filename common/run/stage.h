@@ -6,6 +6,7 @@
 #ifndef COMMON_STAGE_H
 #define COMMON_STAGE_H
 
+#include "run/options.h"
 #include "run/parts.h"
 #include "run/scene.h"
 
@@ -14,28 +15,13 @@ struct loaded {
     uint64_t bytes, textures_read, textures_present;
 };
 
-/* NAME=VALUE of a --set. */
-struct chosen_value {
-    const char *name; /* of `length` bytes */
-    size_t length;
-    double value;
-};
-
 /* What the scenes of one run share. Set the first part, leave the second zero. */
 struct run {
     const struct program *program;
-    const char *input;       /* a model instead of the course's own; NULL: none */
-    const char *const *more; /* models behind it */
-    size_t more_count;
+    const struct options *options; /* of the command line, which say how a model is placed */
+    const struct options *asked;   /* the same, or else those of a request of --live */
+    const char *input;             /* a model instead of the course's own; NULL: none */
     const struct text_scene *text; /* NULL unless it is a text scene */
-    bool no_skip, stats, probed;
-    struct pixel probe;                /* where `probed` */
-    int turns[3];                      /* quarter turns of models: see fit.h */
-    bool fit;                          /* move and scale models into view */
-    bool two_sided;                    /* draw faces from both sides */
-    const struct chosen_value *chosen; /* numbers of scenes, by --set */
-    size_t chosen_count;
-    const char *texture_files[MODEL_TEXTURE_KINDS]; /* for the model; NULL: those next to it */
     unsigned needs; /* of all scenes that will be drawn, so that a model is read once; 0: unknown */
 
     struct model model;                    /* loaded when the first scene needs it */
@@ -64,10 +50,6 @@ extern const char *const default_model_path;
 
 /* The scene with the program's defaults filled in. */
 struct scene scene_complete(const struct program *program, const struct scene *scene);
-
-/* The number of a list that this chooses; NULL where it has none of that name. */
-const struct scene_value *find_value(const struct scene_value *values,
-                                     const struct chosen_value *chosen);
 
 /* Is the scene drawn from a model? */
 bool scene_needs_model(const struct scene *scene);

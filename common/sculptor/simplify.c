@@ -13,11 +13,13 @@
  */
 #include "sculptor/simplify.h"
 
+#include "base/array.h"
+
 #include <assert.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { NONE = -1, VALENCE_LIMIT = 11 };
+enum { NONE = -1, VALENCE_LIMIT = 11, NEIGHBOUR_LIMIT = 64 };
 
 /* x'Ax + 2b'x + c for a symmetric A: the weighted squared distances to a set of planes. */
 enum { XX, XY, XZ, X, YY, YZ, Y, ZZ, Z, ONE, TERMS };
@@ -102,14 +104,8 @@ static bool cheaper(const struct collapse *a, const struct collapse *b) {
 }
 
 static bool heap_push(struct workshop *w, struct collapse entry) {
-    if (w->heap_count == w->heap_capacity) {
-        size_t capacity = 2 * w->heap_capacity + 1024;
-        struct collapse *heap = realloc(w->heap, capacity * sizeof *heap);
-        if (heap == NULL) {
-            return false;
-        }
-        w->heap = heap;
-        w->heap_capacity = capacity;
+    if (!array_extend(&w->heap, &w->heap_capacity, w->heap_count + 1, sizeof *w->heap)) {
+        return false;
     }
     size_t i = w->heap_count++;
     while (i > 0 && cheaper(&entry, &w->heap[(i - 1) / 2])) {
@@ -122,12 +118,8 @@ static bool heap_push(struct workshop *w, struct collapse entry) {
 
 static struct collapse heap_pop(struct workshop *w) {
     struct collapse top = w->heap[0], last = w->heap[--w->heap_count];
-    size_t i = 0;
-    for (;;) {
-        size_t child = 2 * i + 1;
-        if (child >= w->heap_count) {
-            break;
-        }
+    size_t i = 0, child;
+    for (; (child = 2 * i + 1) < w->heap_count; i = child) {
         if (child + 1 < w->heap_count && cheaper(&w->heap[child + 1], &w->heap[child])) {
             child++;
         }
@@ -135,21 +127,12 @@ static struct collapse heap_pop(struct workshop *w) {
             break;
         }
         w->heap[i] = w->heap[child];
-        i = child;
     }
     w->heap[i] = last;
     return top;
 }
 
 /* ---- What may collapse ---- */
-
-static bool is_pole(const struct workshop *w, int vertex) {
-    return surface_is_pole(w->surface, vertex);
-}
-
-static bool is_in_mirror(const struct workshop *w, int vertex) {
-    return surface_is_in_mirror(w->surface, vertex);
-}
 
 static bool has_corner(const struct grid_triangle *t, int vertex) {
     return t->corner[0] == vertex || t->corner[1] == vertex || t->corner[2] == vertex;
@@ -159,8 +142,8 @@ static bool is_alive(const struct grid_triangle *t) {
     return t->corner[0] != NONE;
 }
 
-/* The vertices around one vertex, each once; returns their number, at most `limit`. */
-static int neighbours(const struct workshop *w, int vertex, int *found, int limit) {
+/* The vertices around one vertex, each once; returns their number. */
+static int neighbours(const struct workshop *w, int vertex, int found[NEIGHBOUR_LIMIT]) {
     int count = 0;
     for (int c = w->first_corner[vertex]; c != NONE; c = w->next_corner[c]) {
         const struct grid_triangle *t = &w->triangles[c / 3];
@@ -172,7 +155,7 @@ static int neighbours(const struct workshop *w, int vertex, int *found, int limi
             while (i < count && found[i] != other) {
                 i++;
             }
-            if (i == count && count < limit) {
+            if (i == count && count < NEIGHBOUR_LIMIT) {
                 found[count++] = other;
             }
         }
@@ -194,7 +177,7 @@ static int area_in_texture(const struct workshop *w, const struct grid_triangle 
         y[k] = surface_row(w->surface, t->corner[k]);
     }
     for (int k = 0; k < 3; k++) {
-        if (is_pole(w, t->corner[k])) {
+        if (surface_is_pole(w->surface, t->corner[k])) {
             x[k] = (x[(k + 1) % 3] + x[(k + 2) % 3]) / 2;
         }
     }
@@ -232,9 +215,9 @@ static bool stays_fair(const struct workshop *w, const struct grid_triangle *t, 
 }
 
 static bool may_collapse(const struct workshop *w, int from, int to) {
-    int around_from[64], around_to[64];
-    int from_count = neighbours(w, from, around_from, 64);
-    int to_count = neighbours(w, to, around_to, 64);
+    int around_from[NEIGHBOUR_LIMIT], around_to[NEIGHBOUR_LIMIT];
+    int from_count = neighbours(w, from, around_from);
+    int to_count = neighbours(w, to, around_to);
     int common = 0, shared = 0;
     for (int i = 0; i < from_count; i++) {
         for (int j = 0; j < to_count; j++) {
@@ -252,18 +235,21 @@ static bool may_collapse(const struct workshop *w, int from, int to) {
             return false;
         }
     }
-    /* An edge in the mirror has one triangle on this side. A vertex in the mirror stays there. */
-    if (is_pole(w, from) || (is_in_mirror(w, from) && !(is_in_mirror(w, to) && shared == 1))) {
-        return false;
-    }
-    /* Only the corners opposite the edge may be neighbours of both ends: else sheets touch. */
-    return shared > 0 && common == shared && from_count + to_count - 4 <= VALENCE_LIMIT;
+    /* An edge in the mirror has one triangle on this side. Only the corners opposite the edge may
+     * be neighbours of both ends: else sheets touch. */
+    return shared > 0 && (shared == 1 || !surface_is_in_mirror(w->surface, from)) &&
+           common == shared && from_count + to_count - 4 <= VALENCE_LIMIT;
+}
+
+/* A pole stays where it is, and what lies in the mirror stays there. */
+static bool may_move(const struct workshop *w, int from, int to) {
+    return !surface_is_pole(w->surface, from) &&
+           (!surface_is_in_mirror(w->surface, from) || surface_is_in_mirror(w->surface, to));
 }
 
 /* Put an edge on the heap, to be collapsed in the cheaper direction of those allowed. */
 static bool offer_edge(struct workshop *w, int a, int b) {
-    bool a_stays = is_pole(w, a) || (is_in_mirror(w, a) && !is_in_mirror(w, b));
-    bool b_stays = is_pole(w, b) || (is_in_mirror(w, b) && !is_in_mirror(w, a));
+    bool a_stays = !may_move(w, a, b), b_stays = !may_move(w, b, a);
     struct collapse there = {price_of(w, a, b), a, b, w->stamps[a], w->stamps[b]};
     struct collapse back = {price_of(w, b, a), b, a, w->stamps[b], w->stamps[a]};
     if (a_stays && b_stays) {
@@ -273,8 +259,8 @@ static bool offer_edge(struct workshop *w, int a, int b) {
 }
 
 static bool push_edges_of(struct workshop *w, int vertex) {
-    int around[64];
-    int count = neighbours(w, vertex, around, 64);
+    int around[NEIGHBOUR_LIMIT];
+    int count = neighbours(w, vertex, around);
     for (int i = 0; i < count; i++) {
         if (!offer_edge(w, vertex, around[i])) {
             return false;
@@ -346,8 +332,9 @@ static void measure_planes(struct workshop *w) {
         struct quadric q = quadric_of_plane(normal, -vec3_dot(normal, p), area * importance(p));
         for (int k = 0; k < 3; k++) {
             quadric_add(&w->quadrics[t->corner[k]], &q);
-            if (is_in_mirror(w,
-                             t->corner[k])) { /* the mirror image of this triangle is there too */
+            if (surface_is_in_mirror(
+                    w->surface,
+                    t->corner[k])) { /* the mirror image of this triangle is there too */
                 struct quadric image = q;
                 image.term[XY] = -q.term[XY];
                 image.term[XZ] = -q.term[XZ];
@@ -381,7 +368,8 @@ static bool workshop_create(struct workshop *w, const struct surface *surface) {
         const int *corner = w->triangles[i].corner;
         for (int k = 0; k < 3; k++) {
             int a = corner[k], b = corner[(k + 1) % 3];
-            bool once = a < b || (is_in_mirror(w, a) && is_in_mirror(w, b));
+            bool once = a < b || (surface_is_in_mirror(w->surface, a) &&
+                                  surface_is_in_mirror(w->surface, b));
             if (once && !offer_edge(w, a, b)) { /* the other triangle has the edge the other way */
                 return false;
             }

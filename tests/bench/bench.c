@@ -4,9 +4,8 @@
  *     benchmark [-o DIR] [STEP...]
  *
  * measures the lessons whose names contain one of the STEPs (all without one), prints a table, and
- * writes DIR/bench.json and a chart for each lesson, DIR/bench/stepNN_name.svg. Each lesson takes
- * about 10 seconds; the environment variable BENCH_SECONDS gives another number (of seconds a
- * lesson).
+ * writes DIR/bench/all.json and a chart for each lesson, DIR/bench/stepNN_name.svg. Each lesson
+ * takes about 10 seconds; the environment variable BENCH_SECONDS gives another number.
  */
 #include "bench.h"
 
@@ -24,6 +23,15 @@
 enum { SECONDS_DEFAULT = 10 };
 
 /* ---- For the lessons ---- */
+
+void *bench_memory(size_t count, size_t size) {
+    void *memory = calloc(count, size);
+    if (memory == NULL) {
+        fprintf(stderr, "benchmark: out of memory\n");
+        exit(1);
+    }
+    return memory;
+}
 
 bool bench_read_model(struct model *model, const char *name, struct error *error) {
     char path[1024];
@@ -67,21 +75,29 @@ static bool is_wanted(const struct bench_lesson *lesson, const struct options *o
 }
 
 static bool save(const struct bytes *bytes, const char *directory, const char *name,
-                 struct error *error) {
+                 const char *ending, struct error *error) {
     char path[1024];
-    if (snprintf(path, sizeof path, "%s/%s", directory, name) >= (int)sizeof path) {
-        return error_set(error, "%s: the name is too long", directory);
-    }
-    return file_write(path, bytes->data, bytes->size, error);
+    int length = snprintf(path, sizeof path, "%s/bench/%s.%s", directory, name, ending);
+    return (length < (int)sizeof path || error_set(error, "%s: the name is too long", directory)) &&
+           file_write(path, bytes->data, bytes->size, error);
 }
 
 static bool save_chart(const struct bench_lesson *lesson, const struct bench_results *results,
                        const char *directory, struct error *error) {
-    char name[128];
     struct bytes svg = {0};
-    snprintf(name, sizeof name, "bench/%s.svg", lesson->step);
-    bool done = chart_draw(lesson, results, &svg, error) && save(&svg, directory, name, error);
+    bool done = chart_draw(lesson, results, &svg, error) &&
+                save(&svg, directory, lesson->step, "svg", error);
     bytes_free(&svg);
+    return done;
+}
+
+static bool save_json(const struct bytes *rows, const char *directory, struct error *error) {
+    struct bytes json = {0};
+    bool done = (bytes_append(&json, "[", 1) && bytes_append(&json, rows->data, rows->size) &&
+                 bytes_append(&json, "]\n", 2)) ||
+                error_out_of_memory(error);
+    done = done && save(&json, directory, "all", "json", error);
+    bytes_free(&json);
     return done;
 }
 
@@ -106,31 +122,29 @@ static bool check_errors(const struct bench_lesson *lesson, const struct bench_r
 }
 
 static bool measure_lessons(const struct options *options, struct error *error) {
-    struct bytes text = {0};
-    struct output json = {&text, error, true};
-    int count = 0;
-    report_begin(&json, options->seconds);
-    for (size_t i = 0; json.done && bench_lessons[i] != NULL; i++) {
+    struct bytes rows = {0};
+    bool done = true, any = false;
+    for (size_t i = 0; done && bench_lessons[i] != NULL; i++) {
         const struct bench_lesson *lesson = bench_lessons[i];
         struct bench_results results = {0};
         if (!is_wanted(lesson, options)) {
             continue;
         }
-        json.done = bench_measure(lesson, options->seconds, &results, error) &&
-                    check_errors(lesson, &results, error) &&
-                    save_chart(lesson, &results, options->directory, error);
-        if (json.done) {
-            report_lesson(&json, lesson, &results, count++ == 0);
+        any = true;
+        done = bench_measure(lesson, options->seconds, &results, error) &&
+               check_errors(lesson, &results, error) &&
+               save_chart(lesson, &results, options->directory, error) &&
+               report_add_json(lesson, &results, &rows, error);
+        if (done) {
             report_print(lesson, &results);
         }
     }
-    if (json.done && count == 0) {
-        json.done =
+    if (!any) {
+        done =
             error_set(error, "no tests/lessons/stepNN_name/bench.c measures a step of that name");
     }
-    report_end(&json);
-    bool done = json.done && save(&text, options->directory, "bench.json", error);
-    bytes_free(&text);
+    done = done && save_json(&rows, options->directory, error);
+    bytes_free(&rows);
     return done;
 }
 

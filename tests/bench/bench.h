@@ -10,7 +10,7 @@
  * and defines `const struct bench_lesson bench_stepNN`. A lesson has a few panels; a panel is one
  * piece of work that several versions do, each in its own way, and becomes one chart. Of every
  * version the frame (measure.c) measures two things: how long `run` takes, and what `error` returns
- * about what the last timed run has left in the state. The error is computed, against an
+ * about what the last timed run has left behind. The error is computed, against an
  * answer found in another way (tests/oracle, or long double), and never written down in advance.
  * Times are only shown; nothing fails because of them.
  *
@@ -53,14 +53,14 @@ struct bench_panel {
     /* Do the whole work of the panel once (best 0.1 to 30 ms), memory ready, without printing. It
      * is called many times over; each call must do the same, so what it uses up it first makes
      * again. */
-    void (*run)(void *state, int choice);
+    void (*run)(int choice);
     /* The error of a version in the panel's error unit: 0 only when it is exact, never infinite: a
      * version without an answer is a fault of the benchmark. Called once, right after the last
-     * timed `run` of this version: judge what that left in the state. (It may do more work.) */
-    double (*error)(void *state, int choice);
+     * timed `run` of this version: judge what that left behind. (It may do more work.) */
+    double (*error)(int choice);
     /* Units of work that one run does: seconds of a run / units * 1e9 is shown in nanoseconds.
-     * NULL: milliseconds of one run are shown. The same number for all versions; gets `base`. */
-    double (*units)(const void *state, int base);
+     * NULL: milliseconds of one run are shown. */
+    const size_t *units;
     double budget; /* share of the lesson's time, relative to its other panels; 0 counts as 1 */
 
     /* ---- What follows may be left out ---- */
@@ -93,25 +93,26 @@ enum { BENCH_VERSION_LIMIT = 32, BENCH_PANEL_LIMIT = 8, BENCH_SERIES_LIMIT = 4 }
 struct bench_lesson {
     const char *step;  /* "step01_line": name of the directory, and of the chart's file */
     const char *title; /* heading of the chart: "Step 1: a line" */
-    size_t state_size; /* of what all functions get as `state`; it is zero before `setup` */
-    /* Allocate and fill what the versions need; false, with a message, when it fails. `teardown`
-     * is called after every call of `setup`, and frees what it has made. */
-    bool (*setup)(void *state, struct error *error);
-    void (*teardown)(void *state);
+    /* Fill static variables with what the versions need; it is kept until the program ends. False,
+     * with a message, when that fails. */
+    bool (*setup)(struct error *error);
     const struct bench_panel *panels;
     size_t panel_count; /* 1..BENCH_PANEL_LIMIT */
 };
 
 /* Of the panels in the array `rows`. */
-#define BENCH_LESSON(directory, heading, state, set_up, tear_down, rows)                           \
+#define BENCH_LESSON(directory, heading, set_up, rows)                                             \
     {                                                                                              \
-        .step = (directory), .title = (heading), .state_size = sizeof(state), .setup = (set_up),   \
-        .teardown = (tear_down), .panels = (rows), .panel_count = sizeof(rows) / sizeof(rows)[0],  \
+        .step = (directory), .title = (heading), .setup = (set_up), .panels = (rows),              \
+        .panel_count = sizeof(rows) / sizeof(rows)[0],                                             \
     }
 
 /* All of them in order, then NULL. The Makefile writes this list from the names of the files; that
  * of stepNN.c is called bench_stepNN. */
 extern const struct bench_lesson *const bench_lessons[];
+
+/* So much memory, all 0, for `setup`; without it the program ends. */
+void *bench_memory(size_t count, size_t size);
 
 /* Read a model of build/models, such as "bust.obj". The caller frees it. */
 bool bench_read_model(struct model *model, const char *name, struct error *error);

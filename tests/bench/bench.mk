@@ -3,9 +3,8 @@
 ##   make bench                  run time against error, a chart for each lesson (STEP=05 for one)
 ##   make charts                 put these charts into the lessons
 ##   make bench-frame            the time of a frame beside Mesa's llvmpipe (OPTIONS=--help)
-##   make bench-files            how fast files are read and written, beside plain bytes
 ##   make counts                 the instructions of each scene, beside those committed (STEP=05)
-.PHONY: bench charts bench-frame bench-files counts
+.PHONY: bench charts bench-frame counts
 
 # Stress and benchmarks share out their cases with OpenMP, where the compiler has it.
 OPENMP := $(shell $(CC) -fopenmp -E -x c /dev/null >/dev/null 2>&1 && echo -fopenmp)
@@ -47,7 +46,7 @@ charts:
 	        echo "$$step: no chart yet; make bench draws it"; \
 	    fi; done
 
-# ---- Frames, files, instructions ----
+# ---- Frames, instructions ----
 
 # With Mesa's renderer beside ours where it is installed. Whether it is there is asked when it
 # matters.
@@ -70,13 +69,6 @@ bench-frame: $(BUILD)/bench-frame models
 $(BUILD)/bench-frame: $(filter-out $(NOT_LINKED),$(call OBJECTS_OF,bench/frame oracle)) \
                       $(BUILD)/tests/check/arguments.o $(BUILD)/libcommon.a $(BUILD)/with-mesa
 	$(Q)$(LINK) $(filter-out %-mesa,$^) $(if $(HAS_MESA),-lEGL -lGL) -lm -o $@
-
-bench-files: $(BUILD)/bench-files all
-	$(Q)$(BUILD)/bench-files
-
-$(BUILD)/bench-files: $(call OBJECTS_OF,bench/files) $(BUILD)/tests/bench/measure.o \
-                      $(BUILD)/libcommon.a
-	$(Q)$(LINK) $^ -lm -o $@
 
 # Instructions, which no other process disturbs.
 counts:

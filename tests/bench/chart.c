@@ -6,6 +6,7 @@
 
 #include <assert.h>
 #include <math.h>
+#include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -30,6 +31,30 @@ static const double letter_width = 7.0;
 
 /* ---- Output ---- */
 
+/* A text to which much is appended: after the first failure, which leaves its message, nothing more
+ * is. */
+struct output {
+    struct bytes *text;
+    struct error *error;
+    bool done;
+};
+
+static void put(struct output *output, const char *format, ...) PRINTF_LIKE(2, 3);
+
+/* Append as printf does, at most 1023 characters at a time. */
+static void put(struct output *output, const char *format, ...) {
+    char piece[1024];
+    va_list arguments;
+    va_start(arguments, format);
+    int length = vsnprintf(piece, sizeof piece, format, arguments);
+    va_end(arguments);
+    if (output->done && (length < 0 || length >= (int)sizeof piece)) {
+        output->done = error_set(output->error, "a line of the report is too long");
+    }
+    output->done = output->done && (bytes_append(output->text, piece, (size_t)length) ||
+                                    error_out_of_memory(output->error));
+}
+
 static void put_escaped(struct output *output, const char *text) {
     output->done =
         output->done && (escape_markup(output->text, text) || error_out_of_memory(output->error));
@@ -37,15 +62,15 @@ static void put_escaped(struct output *output, const char *text) {
 
 static void put_text(struct output *output, const char *class, double x, double y,
                      const char *text) {
-    report_put(output, "<text class=\"%s\" x=\"%.1f\" y=\"%.1f\">", class, x, y);
+    put(output, "<text class=\"%s\" x=\"%.1f\" y=\"%.1f\">", class, x, y);
     put_escaped(output, text);
-    report_put(output, "</text>\n");
+    put(output, "</text>\n");
 }
 
 static void put_line(struct output *output, const char *class, double x0, double y0, double x1,
                      double y1) {
-    report_put(output, "<line class=\"%s\" x1=\"%.1f\" y1=\"%.1f\" x2=\"%.1f\" y2=\"%.1f\"/>\n",
-               class, x0, y0, x1, y1);
+    put(output, "<line class=\"%s\" x1=\"%.1f\" y1=\"%.1f\" x2=\"%.1f\" y2=\"%.1f\"/>\n", class, x0,
+        y0, x1, y1);
 }
 
 /* ---- Axes ---- */
@@ -410,51 +435,50 @@ static void place_labels(struct plot *plot) {
 /* ---- Drawing ---- */
 
 static void draw_style(struct output *output) {
-    report_put(output, "<style>\n"
-                       "text { font-family: sans-serif; font-size: 12px; fill: #1f2328; }\n"
-                       ".head { font-size: 17px; font-weight: bold; }\n"
-                       ".title { font-size: 13px; font-weight: bold; }\n"
-                       ".tick, .foot { fill: #59636e; font-size: 11px; }\n"
-                       ".label { fill: #59636e; }\n"
-                       ".house { font-weight: bold; }\n"
-                       ".middle { text-anchor: middle; }\n"
-                       ".end { text-anchor: end; }\n"
-                       ".paper { fill: #ffffff; }\n"
-                       ".plot { fill: #f6f8fa; stroke: #d1d9e0; }\n"
-                       ".grid { stroke: #d8dee4; stroke-width: 1; }\n"
-                       ".bar, .leader, .break { stroke: #818b98; stroke-width: 1; }\n"
-                       ".gap { stroke: #ffffff; stroke-width: 5; }\n");
+    put(output, "<style>\n"
+                "text { font-family: sans-serif; font-size: 12px; fill: #1f2328; }\n"
+                ".head { font-size: 17px; font-weight: bold; }\n"
+                ".title { font-size: 13px; font-weight: bold; }\n"
+                ".tick, .foot { fill: #59636e; font-size: 11px; }\n"
+                ".label { fill: #59636e; }\n"
+                ".house { font-weight: bold; }\n"
+                ".middle { text-anchor: middle; }\n"
+                ".end { text-anchor: end; }\n"
+                ".paper { fill: #ffffff; }\n"
+                ".plot { fill: #f6f8fa; stroke: #d1d9e0; }\n"
+                ".grid { stroke: #d8dee4; stroke-width: 1; }\n"
+                ".bar, .leader, .break { stroke: #818b98; stroke-width: 1; }\n"
+                ".gap { stroke: #ffffff; stroke-width: 5; }\n");
     /* A series colours what belongs to it with `color`. */
-    report_put(output,
-               ".plain { color: #818b98; }\n"
-               ".best, .s0 { color: #0a5cc2; }\n"
-               ".s1 { color: #b35900; }\n"
-               ".s2 { color: #1a7f37; }\n"
-               ".s3 { color: #8250df; }\n"
-               ".dot { fill: #ffffff; stroke: currentColor; stroke-width: 1.5; }\n"
-               ".filled { fill: currentColor; stroke: currentColor; stroke-width: 1.5; }\n"
-               ".series { fill: none; stroke: currentColor; stroke-width: 1; opacity: 0.6; }\n"
-               ".front { fill: none; stroke: #59636e; stroke-width: 1.5; "
-               "stroke-dasharray: 5 4; }\n"
-               ".name { fill: currentColor; }\n");
-    report_put(output, "@media (prefers-color-scheme: dark) {\n"
-                       "text { fill: #e6edf3; }\n"
-                       ".tick, .foot, .label { fill: #a0aab5; }\n"
-                       ".paper { fill: #0d1117; }\n"
-                       ".plot { fill: #151b23; stroke: #3d444d; }\n"
-                       ".grid { stroke: #2b323b; }\n"
-                       ".bar, .leader, .break { stroke: #8b949e; }\n"
-                       ".gap { stroke: #0d1117; }\n"
-                       ".plain { color: #8b949e; }\n"
-                       ".best, .s0 { color: #79b8ff; }\n"
-                       ".s1 { color: #f0a050; }\n"
-                       ".s2 { color: #56d364; }\n"
-                       ".s3 { color: #d2a8ff; }\n"
-                       ".dot { fill: #151b23; }\n"
-                       ".front { stroke: #a0aab5; }\n"
-                       ".filled, .name { fill: currentColor; }\n"
-                       "}\n"
-                       "</style>\n");
+    put(output, ".plain { color: #818b98; }\n"
+                ".best, .s0 { color: #0a5cc2; }\n"
+                ".s1 { color: #b35900; }\n"
+                ".s2 { color: #1a7f37; }\n"
+                ".s3 { color: #8250df; }\n"
+                ".dot { fill: #ffffff; stroke: currentColor; stroke-width: 1.5; }\n"
+                ".filled { fill: currentColor; stroke: currentColor; stroke-width: 1.5; }\n"
+                ".series { fill: none; stroke: currentColor; stroke-width: 1; opacity: 0.6; }\n"
+                ".front { fill: none; stroke: #59636e; stroke-width: 1.5; "
+                "stroke-dasharray: 5 4; }\n"
+                ".name { fill: currentColor; }\n");
+    put(output, "@media (prefers-color-scheme: dark) {\n"
+                "text { fill: #e6edf3; }\n"
+                ".tick, .foot, .label { fill: #a0aab5; }\n"
+                ".paper { fill: #0d1117; }\n"
+                ".plot { fill: #151b23; stroke: #3d444d; }\n"
+                ".grid { stroke: #2b323b; }\n"
+                ".bar, .leader, .break { stroke: #8b949e; }\n"
+                ".gap { stroke: #0d1117; }\n"
+                ".plain { color: #8b949e; }\n"
+                ".best, .s0 { color: #79b8ff; }\n"
+                ".s1 { color: #f0a050; }\n"
+                ".s2 { color: #56d364; }\n"
+                ".s3 { color: #d2a8ff; }\n"
+                ".dot { fill: #151b23; }\n"
+                ".front { stroke: #a0aab5; }\n"
+                ".filled, .name { fill: currentColor; }\n"
+                "}\n"
+                "</style>\n");
 }
 
 /* Two strokes across the axis where it breaks off: what lies beyond is not on the scale. */
@@ -469,12 +493,11 @@ static void draw_error_axis(struct output *output, const struct plot *plot) {
     double ticks[TICK_LIMIT];
     int count = plot->has_scale ? axis_ticks(&plot->error, ticks) : 0;
     double last = -1000;
-    report_put(output, "<path class=\"grid\" d=\"");
+    put(output, "<path class=\"grid\" d=\"");
     for (int i = 0; i < count; i++) {
-        report_put(output, "M%.1f,%.1fV%.1f", axis_px(&plot->error, ticks[i]), plot->top,
-                   plot->bottom);
+        put(output, "M%.1f,%.1fV%.1f", axis_px(&plot->error, ticks[i]), plot->top, plot->bottom);
     }
-    report_put(output, "\"/>\n");
+    put(output, "\"/>\n");
     for (int i = 0; i < count; i++) {
         char text[32];
         double x = axis_px(&plot->error, ticks[i]);
@@ -497,11 +520,11 @@ static void draw_time_axis(struct output *output, const struct plot *plot) {
     double ticks[TICK_LIMIT];
     int count = axis_ticks(&plot->time, ticks);
     double last = 1e6;
-    report_put(output, "<path class=\"grid\" d=\"");
+    put(output, "<path class=\"grid\" d=\"");
     for (int i = 0; i < count; i++) {
-        report_put(output, "M%d,%.1fH%d", PLOT_LEFT, axis_px(&plot->time, ticks[i]), PLOT_RIGHT);
+        put(output, "M%d,%.1fH%d", PLOT_LEFT, axis_px(&plot->time, ticks[i]), PLOT_RIGHT);
     }
-    report_put(output, "\"/>\n");
+    put(output, "\"/>\n");
     for (int i = 0; i < count; i++) {
         char text[32];
         double y = axis_px(&plot->time, ticks[i]);
@@ -518,26 +541,26 @@ static void draw_front(struct output *output, const struct plot *plot) {
     if (plot->front_count < 2) {
         return;
     }
-    report_put(output, "<polyline class=\"front\" points=\"");
+    put(output, "<polyline class=\"front\" points=\"");
     for (size_t k = 0; k < plot->front_count; k++) {
         const struct mark *mark = &plot->marks[plot->front[k]];
         if (k > 0) {
-            report_put(output, "%.1f,%.1f ", mark->x, plot->marks[plot->front[k - 1]].y);
+            put(output, "%.1f,%.1f ", mark->x, plot->marks[plot->front[k - 1]].y);
         }
-        report_put(output, "%.1f,%.1f ", mark->x, mark->y);
+        put(output, "%.1f,%.1f ", mark->x, mark->y);
     }
-    report_put(output, "\"/>\n");
+    put(output, "\"/>\n");
 }
 
 static void draw_series(struct output *output, const struct plot *plot) {
     for (int k = 0; k < plot->series_count; k++) {
-        report_put(output, "<polyline class=\"series s%d\" points=\"", k);
+        put(output, "<polyline class=\"series s%d\" points=\"", k);
         for (size_t i = 0; i < plot->count; i++) {
             if (plot->marks[i].series == k) {
-                report_put(output, "%.1f,%.1f ", plot->marks[i].x, plot->marks[i].y);
+                put(output, "%.1f,%.1f ", plot->marks[i].x, plot->marks[i].y);
             }
         }
-        report_put(output, "\"/>\n");
+        put(output, "\"/>\n");
     }
 }
 
@@ -554,8 +577,8 @@ static void draw_legend(struct output *output, const struct plot *plot) {
     }
     for (int k = 0; k < plot->series_count; k++) {
         char class[32];
-        report_put(output, "<circle class=\"filled s%d\" cx=\"%.1f\" cy=\"%.1f\" r=\"4\"/>\n", k,
-                   left + 20, y - 4);
+        put(output, "<circle class=\"filled s%d\" cx=\"%.1f\" cy=\"%.1f\" r=\"4\"/>\n", k,
+            left + 20, y - 4);
         snprintf(class, sizeof class, "name s%d", k);
         put_text(output, class, left + 28, y, plot->series[k]);
         left += legend_width(plot->series[k]);
@@ -569,8 +592,8 @@ static void draw_bars(struct output *output, const struct plot *plot) {
         if (mark->has_leader) {
             put_line(output, "leader", mark->x, mark->y, mark->leader.x, mark->leader.y);
         }
-        report_put(output, "<path class=\"bar\" d=\"M%.1f,%.1fh8m-4,0V%.1fm-4,0h8\"/>\n",
-                   mark->x - 4, mark->y_upper, mark->y_lower);
+        put(output, "<path class=\"bar\" d=\"M%.1f,%.1fh8m-4,0V%.1fm-4,0h8\"/>\n", mark->x - 4,
+            mark->y_upper, mark->y_lower);
     }
 }
 
@@ -587,15 +610,14 @@ static void draw_dot(struct output *output, const struct plot *plot, const struc
     char error[32], median[32];
     bench_show_number(mark->result->error, error);
     bench_show_number(mark->result->median, median);
-    report_put(output, "<circle class=\"%s %s\" cx=\"%.1f\" cy=\"%.1f\" r=\"%d\"><title>",
-               mark->result->front ? "filled" : "dot", mark_color(mark), mark->x, mark->y,
-               MARK_RADIUS);
+    put(output, "<circle class=\"%s %s\" cx=\"%.1f\" cy=\"%.1f\" r=\"%d\"><title>",
+        mark->result->front ? "filled" : "dot", mark_color(mark), mark->x, mark->y, MARK_RADIUS);
     if (mark->series >= 0) {
         put_escaped(output, plot->series[mark->series]);
-        report_put(output, ", ");
+        put(output, ", ");
     }
     put_escaped(output, mark->version->name);
-    report_put(output, ": error %s, time %s</title></circle>\n", error, median);
+    put(output, ": error %s, time %s</title></circle>\n", error, median);
 }
 
 static void draw_label(struct output *output, const struct mark *mark) {
@@ -643,8 +665,8 @@ static void draw_panel(struct output *output, const struct bench_panel *panel,
     plot_front(&plot);
     plot_lines(&plot);
     place_labels(&plot);
-    report_put(output, "<rect class=\"plot\" x=\"%d\" y=\"%.1f\" width=\"%d\" height=\"%.1f\"/>\n",
-               PLOT_LEFT, plot.top, PLOT_RIGHT - PLOT_LEFT, plot.bottom - plot.top);
+    put(output, "<rect class=\"plot\" x=\"%d\" y=\"%.1f\" width=\"%d\" height=\"%.1f\"/>\n",
+        PLOT_LEFT, plot.top, PLOT_RIGHT - PLOT_LEFT, plot.bottom - plot.top);
     draw_captions(output, panel, &plot, top);
     draw_legend(output, &plot);
     draw_time_axis(output, &plot);
@@ -660,20 +682,47 @@ static void draw_panel(struct output *output, const struct bench_panel *panel,
     }
 }
 
+/* ---- All of it ---- */
+
+static const char *compiler(void) {
+#if defined(__clang__)
+    return "clang " __clang_version__;
+#elif defined(__GNUC__)
+    return "gcc " __VERSION__;
+#else
+    return "an unknown compiler";
+#endif
+}
+
+static void find_processor(char name[128]) {
+    static const char key[] = "model name\t: ";
+    char line[256];
+    FILE *file = fopen("/proc/cpuinfo", "r");
+    name[0] = '\0';
+    while (file != NULL && name[0] == '\0' && fgets(line, sizeof line, file) != NULL) {
+        if (strncmp(line, key, sizeof key - 1) == 0) {
+            line[strcspn(line, "\n")] = '\0';
+            snprintf(name, 128, "%.127s", line + sizeof key - 1);
+        }
+    }
+    if (file != NULL) {
+        fclose(file);
+    }
+}
+
 bool chart_draw(const struct bench_lesson *lesson, const struct bench_results *results,
                 struct bytes *svg, struct error *error) {
     struct output output = {svg, error, true};
     int height = HEAD_HEIGHT + (int)lesson->panel_count * PANEL_HEIGHT + FOOT_HEIGHT;
     char processor[128], text[512];
-    report_put(&output,
-               "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %d %d\" width=\"%d\" "
-               "height=\"%d\" role=\"img\">\n<title>",
-               CHART_WIDTH, height, CHART_WIDTH, height);
+    put(&output,
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %d %d\" width=\"%d\" "
+        "height=\"%d\" role=\"img\">\n<title>",
+        CHART_WIDTH, height, CHART_WIDTH, height);
     put_escaped(&output, lesson->title);
-    report_put(&output, ": run time against error</title>\n");
+    put(&output, ": run time against error</title>\n");
     draw_style(&output);
-    report_put(&output, "<rect class=\"paper\" width=\"%d\" height=\"%d\"/>\n", CHART_WIDTH,
-               height);
+    put(&output, "<rect class=\"paper\" width=\"%d\" height=\"%d\"/>\n", CHART_WIDTH, height);
     snprintf(text, sizeof text, "%s: run time against error", lesson->title);
     put_text(&output, "head", 20, 28, text);
     put_text(&output, "foot", 20, 46,
@@ -683,10 +732,9 @@ bool chart_draw(const struct bench_lesson *lesson, const struct bench_results *r
         draw_panel(&output, &lesson->panels[i], results->of[i],
                    HEAD_HEIGHT + (double)i * PANEL_HEIGHT + 8);
     }
-    report_processor(processor);
-    snprintf(text, sizeof text, "%s%s%s", report_compiler(), processor[0] != '\0' ? ", " : "",
-             processor);
+    find_processor(processor);
+    snprintf(text, sizeof text, "%s%s%s", compiler(), processor[0] != '\0' ? ", " : "", processor);
     put_text(&output, "foot", 20, height - 13, text);
-    report_put(&output, "</svg>\n");
+    put(&output, "</svg>\n");
     return output.done;
 }

@@ -7,7 +7,6 @@
 #include <assert.h>
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 
 enum { ROUNDS_LEAST = 5, ROUNDS_WANTED = 31, ROUNDS_MOST = 501, CALLS_MOST = 1000000 };
 
@@ -20,21 +19,20 @@ int bench_choice(const struct bench_panel *panel, size_t i) {
 }
 
 /* Seconds of one call. */
-static double time_calls(const struct bench_panel *panel, size_t i, void *state, size_t calls) {
+static double time_calls(const struct bench_panel *panel, size_t i, size_t calls) {
     struct stopwatch start = stopwatch_start();
     for (size_t k = 0; k < calls; k++) {
-        panel->run(state, bench_choice(panel, i));
+        panel->run(bench_choice(panel, i));
     }
     return stopwatch_seconds(start) / (double)calls;
 }
 
 /* Run a version until it has had its share of the warm-up, and find from that how many runs make a
  * sample of `sample_seconds`. */
-static size_t warm_up(const struct bench_panel *panel, size_t i, void *state,
-                      double sample_seconds) {
-    double best = time_calls(panel, i, state, 1), start = now();
+static size_t warm_up(const struct bench_panel *panel, size_t i, double sample_seconds) {
+    double best = time_calls(panel, i, 1), start = now();
     while (now() - start < sample_seconds) {
-        double again = time_calls(panel, i, state, 1);
+        double again = time_calls(panel, i, 1);
         best = again < best ? again : best;
     }
     double calls = best > 0 ? floor(sample_seconds / best + 0.5) : CALLS_MOST;
@@ -73,7 +71,7 @@ static void mark_front(struct bench_result *results, size_t count) {
     }
 }
 
-static void measure_panel(const struct bench_panel *panel, void *state, double seconds,
+static void measure_panel(const struct bench_panel *panel, double seconds,
                           struct bench_result *results) {
     const size_t count = panel->version_count;
     double samples[BENCH_VERSION_LIMIT][ROUNDS_MOST + 1];
@@ -83,22 +81,22 @@ static void measure_panel(const struct bench_panel *panel, void *state, double s
     double sample_seconds =
         fmin(seconds / (double)(count * (ROUNDS_WANTED + 2)), sample_seconds_most);
     for (size_t i = 0; i < count; i++) {
-        results[i].calls = warm_up(panel, i, state, sample_seconds);
+        results[i].calls = warm_up(panel, i, sample_seconds);
     }
     while (rounds < ROUNDS_LEAST || (rounds < ROUNDS_MOST && now() - start < seconds)) {
         for (size_t k = 0; k < count; k++) {
             /* Each round begins with another version, and every other one goes backwards: nobody
              * always runs after the same neighbour. */
             size_t turn = (k + rounds / 2) % count, i = rounds % 2 ? count - 1 - turn : turn;
-            samples[i][rounds] = time_calls(panel, i, state, results[i].calls);
+            samples[i][rounds] = time_calls(panel, i, results[i].calls);
         }
         rounds++;
     }
-    double scale = panel->units != NULL ? 1e9 / panel->units(state, panel->base) : 1e3;
+    double scale = panel->units != NULL ? 1e9 / (double)*panel->units : 1e3;
     for (size_t i = 0; i < count; i++) {
         /* The last sample is judged before the next version overwrites it. */
-        samples[i][rounds] = time_calls(panel, i, state, results[i].calls);
-        results[i].error = panel->error(state, bench_choice(panel, i));
+        samples[i][rounds] = time_calls(panel, i, results[i].calls);
+        results[i].error = panel->error(bench_choice(panel, i));
         results[i].rounds = rounds + 1;
         summarize(&results[i], samples[i], scale);
     }
@@ -111,22 +109,16 @@ static double panel_share(const struct bench_panel *panel) {
 
 bool bench_measure(const struct bench_lesson *lesson, double seconds, struct bench_results *results,
                    struct error *error) {
-    void *state = calloc(1, lesson->state_size);
     double shares = 0;
     assert(lesson->panel_count <= BENCH_PANEL_LIMIT);
     for (size_t i = 0; i < lesson->panel_count; i++) {
         shares += panel_share(&lesson->panels[i]);
     }
-    if (state == NULL) {
-        return error_out_of_memory(error);
-    }
-    bool ready = lesson->setup(state, error);
+    bool ready = lesson->setup(error);
     for (size_t i = 0; ready && i < lesson->panel_count; i++) {
         const struct bench_panel *panel = &lesson->panels[i];
-        measure_panel(panel, state, seconds * panel_share(panel) / shares, results->of[i]);
+        measure_panel(panel, seconds * panel_share(panel) / shares, results->of[i]);
     }
-    lesson->teardown(state);
-    free(state);
     return ready;
 }
 

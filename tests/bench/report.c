@@ -1,7 +1,7 @@
 /* Tables and JSON: see report.h. */
 #include "report.h"
 
-#include <stdarg.h>
+#include <assert.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -45,123 +45,50 @@ void report_print(const struct bench_lesson *lesson, const struct bench_results 
     fflush(stdout);
 }
 
-/* ---- Text that grows ---- */
-
-void report_put(struct output *output, const char *format, ...) {
-    char piece[1024];
-    va_list arguments;
-    va_start(arguments, format);
-    int length = vsnprintf(piece, sizeof piece, format, arguments);
-    va_end(arguments);
-    if (output->done && (length < 0 || length >= (int)sizeof piece)) {
-        output->done = error_set(output->error, "a line of the report is too long");
-    }
-    output->done = output->done && (bytes_append(output->text, piece, (size_t)length) ||
-                                    error_out_of_memory(output->error));
-}
-
 /* ---- JSON ---- */
 
-/* "name": "value", with what JSON wants escaped; null where there is no value. */
-static void put_string(struct output *json, const char *name, const char *value) {
-    if (value == NULL) {
-        report_put(json, "\"%s\": null, ", name);
-        return;
+/* "key": "value", with nothing in the value that JSON would want escaped. */
+static void show_string(const char *key, const char *value, char text[256]) {
+    assert(value == NULL || strpbrk(value, "\"\\\n") == NULL);
+    snprintf(text, 256, value != NULL ? "\"%s\": \"%s\"" : "\"%s\": null", key, value);
+}
+
+static bool add_version(const char *step, const struct bench_panel *panel, size_t i,
+                        const struct bench_result *result, struct bytes *json) {
+    enum { KEYS = 7 };
+    static const char *const keys[KEYS] = {"step",       "panel",   "series",   "version",
+                                           "error_unit", "against", "time_unit"};
+    const char *values[KEYS] = {step,
+                                panel->title,
+                                report_series(panel, i),
+                                panel->versions[i].name,
+                                panel->error_label,
+                                panel->against,
+                                panel->time_label};
+    char text[KEYS * 256 + 256];
+    size_t length = 0;
+    for (int k = 0; k < KEYS; k++) {
+        char pair[256];
+        show_string(keys[k], values[k], pair);
+        const char *before = k > 0 ? ", " : json->size > 0 ? ",\n{" : "{";
+        length += (size_t)snprintf(text + length, sizeof text - length, "%s%s", before, pair);
     }
-    report_put(json, "\"%s\": \"", name);
-    for (; *value != '\0'; value++) {
-        unsigned char c = (unsigned char)*value;
-        if (c < 32) {
-            report_put(json, "\\u%04x", (unsigned)c);
-        } else {
-            report_put(json, c == '"' || c == '\\' ? "\\%c" : "%c", c);
+    length += (size_t)snprintf(text + length, sizeof text - length,
+                               ", \"error\": %.9g, \"median\": %.9g, \"lower\": %.9g, "
+                               "\"upper\": %.9g, \"useful\": %s}",
+                               result->error, result->median, result->lower, result->upper,
+                               result->front ? "true" : "false");
+    return bytes_append(json, text, length);
+}
+
+bool report_add_json(const struct bench_lesson *lesson, const struct bench_results *results,
+                     struct bytes *json, struct error *error) {
+    for (size_t p = 0; p < lesson->panel_count; p++) {
+        for (size_t i = 0; i < lesson->panels[p].version_count; i++) {
+            if (!add_version(lesson->step, &lesson->panels[p], i, &results->of[p][i], json)) {
+                return error_out_of_memory(error);
+            }
         }
     }
-    report_put(json, "\", ");
-}
-
-static void put_number(struct output *json, const char *name, double value) {
-    report_put(json, "\"%s\": %.9g, ", name, value);
-}
-
-static void put_version(struct output *json, const struct bench_panel *panel, size_t i,
-                        const struct bench_result *result) {
-    report_put(json, "%s        {", i > 0 ? ",\n" : "");
-    put_string(json, "series", report_series(panel, i));
-    put_string(json, "name", panel->versions[i].name);
-    put_number(json, "error", result->error);
-    put_number(json, "median", result->median);
-    put_number(json, "lower_quartile", result->lower);
-    put_number(json, "upper_quartile", result->upper);
-    report_put(json, "\"rounds\": %zu, \"runs_per_round\": %zu, \"useful\": %s}", result->rounds,
-               result->calls, result->front ? "true" : "false");
-}
-
-static void put_panel(struct output *json, const struct bench_panel *panel,
-                      const struct bench_result *results) {
-    report_put(json, "      {");
-    put_string(json, "title", panel->title);
-    put_string(json, "time_unit", panel->time_label);
-    put_string(json, "error_unit", panel->error_label);
-    put_string(json, "error_against", panel->against);
-    report_put(json, "\"versions\": [\n");
-    for (size_t i = 0; i < panel->version_count; i++) {
-        put_version(json, panel, i, &results[i]);
-    }
-    report_put(json, "\n      ]}");
-}
-
-void report_begin(struct output *json, double seconds) {
-    char processor[128];
-    report_processor(processor);
-    report_put(json, "{\n  ");
-    put_string(json, "compiler", report_compiler());
-    put_string(json, "processor", processor);
-    put_number(json, "seconds_a_lesson", seconds);
-    report_put(json, "\n  \"lessons\": [");
-}
-
-void report_lesson(struct output *json, const struct bench_lesson *lesson,
-                   const struct bench_results *results, bool first) {
-    report_put(json, "%s\n    {", first ? "" : ",");
-    put_string(json, "step", lesson->step);
-    put_string(json, "title", lesson->title);
-    report_put(json, "\"panels\": [\n");
-    for (size_t i = 0; i < lesson->panel_count; i++) {
-        put_panel(json, &lesson->panels[i], results->of[i]);
-        report_put(json, i + 1 < lesson->panel_count ? ",\n" : "\n");
-    }
-    report_put(json, "    ]}");
-}
-
-void report_end(struct output *json) {
-    report_put(json, "\n  ]\n}\n");
-}
-
-/* ---- The machine ---- */
-
-const char *report_compiler(void) {
-#if defined(__clang__)
-    return "clang " __clang_version__;
-#elif defined(__GNUC__)
-    return "gcc " __VERSION__;
-#else
-    return "an unknown compiler";
-#endif
-}
-
-void report_processor(char name[128]) {
-    static const char key[] = "model name\t: ";
-    char line[256];
-    FILE *file = fopen("/proc/cpuinfo", "r");
-    name[0] = '\0';
-    while (file != NULL && name[0] == '\0' && fgets(line, sizeof line, file) != NULL) {
-        if (strncmp(line, key, sizeof key - 1) == 0) {
-            line[strcspn(line, "\n")] = '\0';
-            snprintf(name, 128, "%.127s", line + sizeof key - 1);
-        }
-    }
-    if (file != NULL) {
-        fclose(file);
-    }
+    return true;
 }

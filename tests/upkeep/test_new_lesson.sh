@@ -49,7 +49,7 @@ export BENCH_SECONDS=0.05
 course bench STEP=11
 course charts
 cmp "build/bench/$new.svg" "$new/figures/bench.svg" || wrong "the copy has no chart"
-grep -q "\"$new\"" build/bench.json || wrong "bench.json does not name the copy"
+grep -q "\"$new\"" build/bench/all.json || wrong "all.json does not name the copy"
 
 course lesson-figures
 # (Drawings, which are written by hand, have no program; `make mistakes` draws the wrong pictures.)
@@ -62,7 +62,7 @@ rm -rf $new/figures.c $new/figures tests/lessons/$new "build/bench/$new.svg"
 course lesson-figures
 course bench STEP=05
 course charts
-if grep $new "$said" build/bench.json || [ -e $new/figures ]; then
+if grep $new "$said" || [ -e $new/figures ]; then
     wrong "a lesson without figures and benchmark is not left alone"
 fi
 exit $failed

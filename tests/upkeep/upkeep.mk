@@ -41,12 +41,10 @@ $(BUILD)/tested/flags: force
 	@mkdir -p $(@D)
 	@echo '$(TESTED)' | cmp -s - $@ || echo '$(TESTED)' >$@
 
-# Those that use vectors.h in most ways with the instructions of this processor, which it chooses.
-NATIVE = $(if $(filter test_lanes.o test_vectors.o test_classify.o classify.o,$(@F)),$(MARCH))
 $(BUILD)/tested/%.o: %.c $(BUILD)/tested/flags
 	@mkdir -p $(@D)
 	$(SAY) TEST $<
-	$(Q)$(TESTED) $(NATIVE) -c $< -o $@
+	$(Q)$(TESTED) $(if $(filter test_lanes.o,$(@F)),$(MARCH)) -c $< -o $@
 
 $(BUILD)/tested/tests/check/page/page_files.o: $(BUILD)/tests/check/page/page_files.c $(BUILD)/tested/flags
 	@mkdir -p $(@D)
@@ -59,32 +57,28 @@ $(UNITS): $(BUILD)/tests/%: $(BUILD)/tested/tests/%.o $(BUILD)/tested/all.a
 	$(Q)$(TESTED) $(WRAPPED) $< $(filter %/check.a,$^) $(filter %/all.a,$^) -lm -o $@
 $(filter $(BUILD)/tests/check/% $(BUILD)/tests/student/%,$(UNITS)): $(BUILD)/tested/check.a
 
-# Some tests of the pipeline are built in several kinds besides, with the pipeline under them: so many
-# LANES, and REAL where it is not float. (test_lanes-8-double has LANES=8 and REAL=double.)
-KINDS_OF_LANES = test_classify-4 test_classify-8 test_classify-16
-KINDS = $(KINDS_OF_LANES) $(KINDS_OF_LANES:test_classify%=test_vectors%) \
-        $(KINDS_OF_LANES:test_classify%=test_transform%) \
-        test_borders-1 test_borders-16 test_borders-8-double \
-        test_planes-8 test_planes-16 test_planes-16-double \
+# Some tests of the pipeline are built in several kinds besides, with the pipeline under them, and with
+# the instructions of this processor: so many LANES, and REAL where it is not float. (test_lanes-8-double
+# has LANES=8 and REAL=double.)
+KINDS = test_borders-1 test_borders-8 test_borders-16 test_borders-8-double \
         test_lanes-1 test_lanes-2 test_lanes-4 test_lanes-8 test_lanes-16 test_lanes-8-double
 PIPELINE = $(patsubst %.c,%.o,common/pipeline.c $(wildcard common/pipeline/*.c))
 define TEST_OF_KIND
 $(BUILD)/tested/$(1)/%.o: %.c $(BUILD)/tested/flags
 	@mkdir -p $$(@D)
 	$$(Q)$$(TESTED) -ULANES -DLANES=$(firstword $(subst -, ,$(1))) \
-	    -UREAL -DREAL=$(or $(word 2,$(subst -, ,$(1))),float) $$(NATIVE) -c $$< -o $$@
+	    -UREAL -DREAL=$(or $(word 2,$(subst -, ,$(1))),float) $(MARCH) -c $$< -o $$@
 $(BUILD)/tested/$(1)/pipeline.a: $(PIPELINE:%=$(BUILD)/tested/$(1)/%)
 	@rm -f $$@
 	$$(Q)$$(AR) qcs $$@ $$^
-# These link no pipeline, which does not come with every number of LANES.
-$(BUILD)/tests/test_lanes-$(1) $(BUILD)/tests/test_vectors-$(1): \
-        $(BUILD)/tests/%-$(1): $(BUILD)/tested/$(1)/tests/unit/pipeline/%.o $(BUILD)/tested/all.a
+# This links no pipeline, which does not come with every number of LANES.
+$(BUILD)/tests/test_lanes-$(1): $(BUILD)/tested/$(1)/tests/unit/pipeline/test_lanes.o $(BUILD)/tested/all.a
 	$$(Q)$$(TESTED) $$^ -lm -o $$@
 $(BUILD)/tests/%-$(1): $(BUILD)/tested/$(1)/tests/unit/pipeline/%.o \
                        $(BUILD)/tested/$(1)/pipeline.a $(BUILD)/tested/all.a
 	$$(Q)$$(TESTED) $$^ -lm -o $$@
 endef
-$(foreach kind,1 2 4 8 16 8-double 16-double,$(eval $(call TEST_OF_KIND,$(kind))))
+$(foreach kind,1 2 4 8 16 8-double,$(eval $(call TEST_OF_KIND,$(kind))))
 
 $(REPLAYS): $(BUILD)/tests/%: $(BUILD)/tested/tests/%.o $(BUILD)/tested/tests/upkeep/fuzz/replay.o \
                               $(BUILD)/tested/all.a
@@ -157,7 +151,7 @@ $(BUILD)/fuzz_%: $(BUILD)/tested/tests/upkeep/fuzz/fuzz_%.o $(BUILD)/tested/all.
 	$(Q)$(TESTED) -fsanitize=fuzzer $^ -lm -o $@
 
 everything:
-	@.ci/run test-clang portability-all grade-unshare bench-files mutants-300
+	@.ci/run test-clang portability-all grade-unshare verify-all mutants-300
 
 # ---- Pictures: make figures, make references ----
 

@@ -19,44 +19,37 @@ enum {
     HOUSE_LINE = LINE_ATTEMPT_COUNT /* choices below it are attempts */
 };
 
-struct lines {
+static struct {
     struct pixel ends[LINE_COUNT][2];
     struct image images[LINE_COUNT]; /* IMAGE_GREY */
     size_t pixel_count;              /* of these lines, as they should be */
-};
+} lines;
 
 static uint8_t version_level(int choice) {
     return (uint8_t)(choice + 1);
 }
 
-static void lines_run(void *state, int choice) {
-    struct lines *lines = state;
+static void lines_run(int choice) {
     line_function *draw = choice == HOUSE_LINE ? line : line_attempt(choice);
     for (int i = 0; i < LINE_COUNT; i++) {
-        draw(&lines->images[i], lines->ends[i][0], lines->ends[i][1],
+        draw(&lines.images[i], lines.ends[i][0], lines.ends[i][1],
              color_grey(version_level(choice)));
     }
 }
 
-static double lines_units(const void *state, int base) {
-    (void)base;
-    return (double)((const struct lines *)state)->pixel_count;
-}
-
-static double lines_error(void *state, int choice) {
-    struct lines *lines = state;
+static double lines_error(int choice) {
     size_t wrong = 0;
     for (int i = 0; i < LINE_COUNT; i++) {
-        const uint8_t *pixels = lines->images[i].pixels;
+        const uint8_t *pixels = lines.images[i].pixels;
         for (int y = 0; y < SIDE; y++) {
             for (int x = 0; x < SIDE; x++) {
                 bool is_set = pixels[y * SIDE + x] == version_level(choice);
-                wrong += is_set != oracle_line_has(lines->ends[i][0], lines->ends[i][1],
-                                                   (struct pixel){x, y});
+                wrong += is_set !=
+                         oracle_line_has(lines.ends[i][0], lines.ends[i][1], (struct pixel){x, y});
             }
         }
     }
-    return 1000 * (double)wrong / (double)lines->pixel_count;
+    return 1000 * (double)wrong / (double)lines.pixel_count;
 }
 
 static struct pixel random_pixel(struct random *random) {
@@ -64,26 +57,18 @@ static struct pixel random_pixel(struct random *random) {
     return (struct pixel){x, y};
 }
 
-static bool lines_setup(void *state, struct error *error) {
-    struct lines *lines = state;
+static bool lines_setup(struct error *error) {
     struct random random = {1};
     for (int i = 0; i < LINE_COUNT; i++) {
-        struct pixel *ends = lines->ends[i];
-        ends[0] = i % 2 != 0 ? lines->ends[i - 1][1] : random_pixel(&random);
-        ends[1] = i % 2 != 0 ? lines->ends[i - 1][0] : random_pixel(&random);
-        lines->pixel_count += line_length(ends[0], ends[1]);
-        if (!image_create(&lines->images[i], SIDE, SIDE, IMAGE_GREY, error)) {
+        struct pixel *ends = lines.ends[i];
+        ends[0] = i % 2 != 0 ? lines.ends[i - 1][1] : random_pixel(&random);
+        ends[1] = i % 2 != 0 ? lines.ends[i - 1][0] : random_pixel(&random);
+        lines.pixel_count += line_length(ends[0], ends[1]);
+        if (!image_create(&lines.images[i], SIDE, SIDE, IMAGE_GREY, error)) {
             return false;
         }
     }
     return true;
-}
-
-static void lines_teardown(void *state) {
-    struct lines *lines = state;
-    for (int i = 0; i < LINE_COUNT; i++) {
-        image_free(&lines->images[i]);
-    }
 }
 
 static const struct bench_version lines_versions[] = {
@@ -103,10 +88,10 @@ static const struct bench_panel lines_panels[] = {
         .house_within = BENCH_EXACT,
         .run = lines_run,
         .error = lines_error,
-        .units = lines_units,
+        .units = &lines.pixel_count,
         BENCH_VERSIONS(lines_versions),
     },
 };
 
-const struct bench_lesson bench_step01 = BENCH_LESSON("step01_line", "Step 1: a line", struct lines,
-                                                      lines_setup, lines_teardown, lines_panels);
+const struct bench_lesson bench_step01 =
+    BENCH_LESSON("step01_line", "Step 1: a line", lines_setup, lines_panels);

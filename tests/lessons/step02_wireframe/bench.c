@@ -19,14 +19,14 @@ enum { SIDE = 800 }; /* of the image */
 static const double enlargement = 6;
 static const double middle_y = 0.25, hole = 0.06; /* before that */
 
-struct frame {
+static struct {
     struct model model;
     struct drawing drawing;
     struct wireframe wireframe; /* the list of sides, each once */
     struct image timed;         /* IMAGE_GREY */
     struct image exact;         /* IMAGE_GREY, 255 where a line should be */
     size_t pixel_count;         /* of these */
-};
+} frame;
 
 /* ---- The exact picture ---- */
 
@@ -51,19 +51,19 @@ static void add_exact_line(struct image *image, struct pixel a, struct pixel b) 
     }
 }
 
-static void frame_find_exact(struct frame *frame) {
-    const struct model *model = &frame->model;
+static void frame_find_exact(void) {
+    const struct model *model = &frame.model;
     for (size_t face = 0; face < model->face_count; face++) {
         for (size_t i = 0; i < 3; i++) {
             struct pixel a, b;
             if (to_pixel(model_position(model, face, i), SIDE, SIDE, &a) &&
                 to_pixel(model_position(model, face, (i + 1) % 3), SIDE, SIDE, &b)) {
-                add_exact_line(&frame->exact, a, b);
+                add_exact_line(&frame.exact, a, b);
             }
         }
     }
     for (size_t i = 0; i < (size_t)SIDE * SIDE; i++) {
-        frame->pixel_count += frame->exact.pixels[i] != 0;
+        frame.pixel_count += frame.exact.pixels[i] != 0;
     }
 }
 
@@ -71,61 +71,59 @@ static void frame_find_exact(struct frame *frame) {
 
 enum frame_version { EVERY_TESTED, EVERY_CUT, ONCE_TESTED, ONE_DIRECTION, ENDS_ROUNDED, HOUSE };
 
-static void frame_draw_rounded(struct frame *frame) {
-    for (size_t i = 0; i < frame->wireframe.side_count; i++) {
-        const struct model *model = &frame->model;
-        struct side side = frame->wireframe.sides[i];
+static void frame_draw_rounded(void) {
+    for (size_t i = 0; i < frame.wireframe.side_count; i++) {
+        const struct model *model = &frame.model;
+        struct side side = frame.wireframe.sides[i];
         struct pixel a, b;
         if (to_pixel(model->positions[side.low], SIDE, SIDE, &a) &&
             to_pixel(model->positions[side.high], SIDE, SIDE, &b)) {
-            attempt_line_ends_rounded(&frame->timed, a, b, color_grey(255));
+            attempt_line_ends_rounded(&frame.timed, a, b, color_grey(255));
         }
     }
 }
 
 /* The scene as main.c draws it. */
-static void frame_draw_house(struct frame *frame) {
+static void frame_draw_house(void) {
     struct error error;
-    frame->drawing.counter_count = 0;
-    draw_wireframe(&frame->drawing, &frame->timed, &error);
+    frame.drawing.counter_count = 0;
+    draw_wireframe(&frame.drawing, &frame.timed, &error);
 }
 
 /* A frame begins with an empty image. */
-static void frame_run(void *state, int choice) {
-    struct frame *frame = state;
-    const struct model *model = &frame->model;
-    const struct wireframe *list = &frame->wireframe;
-    image_clear(&frame->timed, color_grey(0));
+static void frame_run(int choice) {
+    const struct model *model = &frame.model;
+    const struct wireframe *list = &frame.wireframe;
+    image_clear(&frame.timed, color_grey(0));
     switch (choice) {
     case EVERY_TESTED:
-        attempt_1_every_side_tested(&frame->timed, model);
+        attempt_1_every_side_tested(&frame.timed, model);
         break;
     case EVERY_CUT:
-        attempt_2_every_side_cut(&frame->timed, model);
+        attempt_2_every_side_cut(&frame.timed, model);
         break;
     case ONCE_TESTED:
-        attempt_3_each_once_tested(&frame->timed, model, list->sides, list->side_count);
+        attempt_3_each_once_tested(&frame.timed, model, list->sides, list->side_count);
         break;
     case ONE_DIRECTION:
-        attempt_4_one_direction(&frame->timed, model);
+        attempt_4_one_direction(&frame.timed, model);
         break;
     case ENDS_ROUNDED:
-        frame_draw_rounded(frame);
+        frame_draw_rounded();
         break;
     default:
-        frame_draw_house(frame);
+        frame_draw_house();
     }
 }
 
 /* Wrong and missing pixels per 1000. */
-static double frame_error(void *state, int choice) {
-    const struct frame *frame = state;
+static double frame_error(int choice) {
     size_t wrong = 0;
     (void)choice;
     for (size_t i = 0; i < (size_t)SIDE * SIDE; i++) {
-        wrong += frame->timed.pixels[i] != frame->exact.pixels[i];
+        wrong += frame.timed.pixels[i] != frame.exact.pixels[i];
     }
-    return 1000 * (double)wrong / (double)frame->pixel_count;
+    return 1000 * (double)wrong / (double)frame.pixel_count;
 }
 
 /* ---- The lesson ---- */
@@ -151,26 +149,17 @@ static bool frame_read_model(struct model *model, struct error *error) {
     return true;
 }
 
-static bool frame_setup(void *state, struct error *error) {
-    struct frame *frame = state;
-    frame->drawing =
-        (struct drawing){.model = &frame->model, .skip = true, .state = &frame->wireframe};
-    if (!frame_read_model(&frame->model, error) ||
-        !image_create(&frame->timed, SIDE, SIDE, IMAGE_GREY, error) ||
-        !image_create(&frame->exact, SIDE, SIDE, IMAGE_GREY, error) ||
-        !prepare(&frame->drawing, SIDE, SIDE, error)) {
+static bool frame_setup(struct error *error) {
+    frame.drawing =
+        (struct drawing){.model = &frame.model, .skip = true, .state = &frame.wireframe};
+    if (!frame_read_model(&frame.model, error) ||
+        !image_create(&frame.timed, SIDE, SIDE, IMAGE_GREY, error) ||
+        !image_create(&frame.exact, SIDE, SIDE, IMAGE_GREY, error) ||
+        !prepare(&frame.drawing, SIDE, SIDE, error)) {
         return false;
     }
-    frame_find_exact(frame);
+    frame_find_exact();
     return true;
-}
-
-static void frame_teardown(void *state) {
-    struct frame *frame = state;
-    finish(&frame->drawing);
-    model_free(&frame->model);
-    image_free(&frame->timed);
-    image_free(&frame->exact);
 }
 
 static const struct bench_version frame_versions[] = {
@@ -196,5 +185,4 @@ static const struct bench_panel frame_panels[] = {
 };
 
 const struct bench_lesson bench_step02 =
-    BENCH_LESSON("step02_wireframe", "Step 2: a wireframe", struct frame, frame_setup,
-                 frame_teardown, frame_panels);
+    BENCH_LESSON("step02_wireframe", "Step 2: a wireframe", frame_setup, frame_panels);

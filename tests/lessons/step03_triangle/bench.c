@@ -93,16 +93,16 @@ struct filled {
 struct mesh {
     struct filled *triangles;
     size_t count;
-    uint32_t *shown;    /* triangle + 1 at each pixel of the image, 0 for none */
-    size_t pixel_count; /* that show one */
+    uint32_t shown[SIDE * SIDE]; /* triangle + 1 at each pixel of the image, 0 for none */
+    size_t pixel_count;          /* that show one */
 };
 
 enum { SMALL, LARGE, MESH_COUNT };
 
-struct fill_bench {
+static struct {
     struct mesh meshes[MESH_COUNT];
     struct image image; /* IMAGE_BGR, as the scenes are */
-};
+} bench;
 
 /* Pixels that a coordinate may be in, and one more on either side. */
 static struct span pixels_around(double a, double b, double c) {
@@ -111,11 +111,7 @@ static struct span pixels_around(double a, double b, double c) {
 }
 
 /* The triangles in their order, each over those before it. */
-static bool mesh_find_shown(struct mesh *mesh, struct error *error) {
-    mesh->shown = calloc((size_t)SIDE * SIDE, sizeof *mesh->shown);
-    if (mesh->shown == NULL || mesh->triangles == NULL) {
-        return error_set(error, "out of memory for a picture");
-    }
+static void mesh_find_shown(struct mesh *mesh) {
     for (size_t i = 0; i < mesh->count; i++) {
         const struct vec2 *p = mesh->triangles[i].corner;
         const struct fixed2 *c = mesh->triangles[i].snapped;
@@ -132,12 +128,6 @@ static bool mesh_find_shown(struct mesh *mesh, struct error *error) {
     for (size_t i = 0; i < (size_t)SIDE * SIDE; i++) {
         mesh->pixel_count += mesh->shown[i] != 0;
     }
-    return true;
-}
-
-static bool mesh_allocate(struct mesh *mesh, size_t limit, struct error *error) {
-    mesh->triangles = calloc(limit + 1, sizeof *mesh->triangles);
-    return mesh->triangles != NULL || error_set(error, "out of memory for %zu triangles", limit);
 }
 
 static void mesh_add(struct mesh *mesh, const struct fixed2 corner[3]) {
@@ -151,9 +141,11 @@ static void mesh_add(struct mesh *mesh, const struct fixed2 corner[3]) {
 /* The faces of the bust that are turned to us. */
 static bool make_bust(struct mesh *mesh, const struct image *image, struct error *error) {
     struct model model;
-    bool done =
-        bench_read_model(&model, "bust.obj", error) && mesh_allocate(mesh, model.face_count, error);
-    for (size_t face = 0; done && face < model.face_count; face++) {
+    if (!bench_read_model(&model, "bust.obj", error)) {
+        return false;
+    }
+    mesh->triangles = bench_memory(model.face_count, sizeof *mesh->triangles);
+    for (size_t face = 0; face < model.face_count; face++) {
         struct fixed2 corner[3];
         uint64_t turned_away = 0;
         if (place_face(&model, face, image, corner, &turned_away)) {
@@ -161,7 +153,8 @@ static bool make_bust(struct mesh *mesh, const struct image *image, struct error
         }
     }
     model_free(&model);
-    return done && mesh_find_shown(mesh, error);
+    mesh_find_shown(mesh);
+    return true;
 }
 
 /* The middle of the fan is a pixel centre, and so is every other corner on its rim, which lies
@@ -181,21 +174,19 @@ static struct fixed2 large_corner(int i, struct random *random) {
     return (struct fixed2){center + x * scale + stray, center + y * scale - stray};
 }
 
-static bool make_fan(struct mesh *mesh, struct error *error) {
+static void make_fan(struct mesh *mesh) {
     struct random random = {3};
     const struct fixed2 middle = {SIDE / 2 * SUBPIXELS + SUBPIXELS / 2,
                                   SIDE / 2 * SUBPIXELS + SUBPIXELS / 2};
     const struct fixed2 first = large_corner(0, &random);
     struct fixed2 last = first;
-    if (!mesh_allocate(mesh, LARGE_COUNT, error)) {
-        return false;
-    }
+    mesh->triangles = bench_memory(LARGE_COUNT, sizeof *mesh->triangles);
     for (int i = 1; i <= LARGE_COUNT; i++) {
         struct fixed2 next = i < LARGE_COUNT ? large_corner(i, &random) : first;
         mesh_add(mesh, (const struct fixed2[3]){middle, last, next});
         last = next;
     }
-    return mesh_find_shown(mesh, error);
+    mesh_find_shown(mesh);
 }
 
 /* ---- Spans without a division a row ---- */
@@ -299,46 +290,30 @@ static struct color triangle_color(size_t i, int tag) {
 /* Choices: so many for each mesh. */
 enum { ATTEMPTS = 16 };
 
-static void run(void *state, int choice) {
-    struct fill_bench *bench = state;
-    const struct mesh *mesh = &bench->meshes[choice / ATTEMPTS];
+static void run(int choice) {
+    const struct mesh *mesh = &bench.meshes[choice / ATTEMPTS];
     for (size_t i = 0; i < mesh->count; i++) {
-        fill(&mesh->triangles[i], choice % ATTEMPTS, &bench->image, triangle_color(i, choice + 1));
+        fill(&mesh->triangles[i], choice % ATTEMPTS, &bench.image, triangle_color(i, choice + 1));
     }
 }
 
-static double error_of(void *state, int choice) {
-    const struct fill_bench *bench = state;
-    const struct mesh *mesh = &bench->meshes[choice / ATTEMPTS];
+static double error_of(int choice) {
+    const struct mesh *mesh = &bench.meshes[choice / ATTEMPTS];
     size_t wrong = 0;
     for (size_t i = 0; i < (size_t)SIDE * SIDE; i++) {
-        const uint8_t *pixel = bench->image.pixels + 3 * i;
+        const uint8_t *pixel = bench.image.pixels + 3 * i;
         uint32_t shown = pixel[2] == choice + 1 ? (uint32_t)(pixel[0] + 256 * pixel[1]) + 1 : 0;
         wrong += shown != mesh->shown[i];
     }
     return 1e3 * (double)wrong / (double)mesh->pixel_count;
 }
 
-static double units(const void *state, int base) {
-    return (double)((const struct fill_bench *)state)->meshes[base / ATTEMPTS].pixel_count;
-}
-
 /* ---- The lesson ---- */
 
-static bool fill_setup(void *state, struct error *error) {
-    struct fill_bench *bench = state;
-    return image_create(&bench->image, SIDE, SIDE, IMAGE_BGR, error) &&
-           make_bust(&bench->meshes[SMALL], &bench->image, error) &&
-           make_fan(&bench->meshes[LARGE], error);
-}
-
-static void fill_teardown(void *state) {
-    struct fill_bench *bench = state;
-    for (size_t i = 0; i < MESH_COUNT; i++) {
-        free(bench->meshes[i].triangles);
-        free(bench->meshes[i].shown);
-    }
-    image_free(&bench->image);
+static bool fill_setup(struct error *error) {
+    make_fan(&bench.meshes[LARGE]);
+    return image_create(&bench.image, SIDE, SIDE, IMAGE_BGR, error) &&
+           make_bust(&bench.meshes[SMALL], &bench.image, error);
 }
 
 static const struct bench_version attempt_versions[] = {
@@ -364,7 +339,7 @@ static const struct bench_panel fill_panels[] = {
         .base = SMALL * ATTEMPTS,
         .run = run,
         .error = error_of,
-        .units = units,
+        .units = &bench.meshes[SMALL].pixel_count,
         BENCH_VERSIONS(attempt_versions),
     },
     {
@@ -376,12 +351,11 @@ static const struct bench_panel fill_panels[] = {
         .base = LARGE * ATTEMPTS,
         .run = run,
         .error = error_of,
-        .units = units,
+        .units = &bench.meshes[LARGE].pixel_count,
         BENCH_VERSIONS(attempt_versions),
         .budget = 2,
     },
 };
 
 const struct bench_lesson bench_step03 =
-    BENCH_LESSON("step03_triangle", "Step 3: a triangle", struct fill_bench, fill_setup,
-                 fill_teardown, fill_panels);
+    BENCH_LESSON("step03_triangle", "Step 3: a triangle", fill_setup, fill_panels);

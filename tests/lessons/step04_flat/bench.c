@@ -12,15 +12,14 @@
 #include "bench/bench.h"
 #include "oracle/reals.h"
 
-#include <stdlib.h>
-
 enum { LIGHT_COUNT = 4 };
 
-struct faces {
+static struct {
     struct model model;
     struct vec3 light[LIGHT_COUNT]; /* of length 1, as well as a double can say that */
-    double *levels;                 /* one a face and light: what the last run found, 0..255 */
-};
+    size_t level_count;             /* one a face and light */
+    double *levels;                 /* what the last run found, 0..255 */
+} faces;
 
 /* ---- The attempts ---- */
 
@@ -70,11 +69,10 @@ static void faces_find_levels(const struct model *model, struct vec3 light, doub
     }
 }
 
-static void run(void *state, int choice) {
-    struct faces *faces = state;
+static void run(int choice) {
     for (size_t i = 0; i < LIGHT_COUNT; i++) {
-        faces_find_levels(&faces->model, faces->light[i],
-                          faces->levels + i * faces->model.face_count, choice);
+        faces_find_levels(&faces.model, faces.light[i], faces.levels + i * faces.model.face_count,
+                          choice);
     }
 }
 
@@ -97,15 +95,13 @@ static double shown_level(double level) {
 }
 
 /* The largest error of the last run's levels. */
-static double error_of(void *state, int choice) {
-    const struct faces *faces = state;
-    const size_t count = faces->model.face_count;
+static double error_of(int choice) {
+    const size_t count = faces.model.face_count;
     double worst = 0;
     (void)choice;
-    for (size_t i = 0; i < LIGHT_COUNT * count; i++) {
-        long double right =
-            255 * exact_intensity(&faces->model, i % count, faces->light[i / count]);
-        double error = (double)fabsl(shown_level(faces->levels[i]) - (right > 0 ? right : 0));
+    for (size_t i = 0; i < faces.level_count; i++) {
+        long double right = 255 * exact_intensity(&faces.model, i % count, faces.light[i / count]);
+        double error = (double)fabsl(shown_level(faces.levels[i]) - (right > 0 ? right : 0));
         worst = fmax(worst, error);
     }
     return worst;
@@ -113,29 +109,18 @@ static double error_of(void *state, int choice) {
 
 /* ---- The lesson ---- */
 
-static bool faces_setup(void *state, struct error *error) {
+static bool faces_setup(struct error *error) {
     static const struct vec3 directions[LIGHT_COUNT] = {
         {0, 0, 1}, {1, 1, 1}, {-3, 1, 2}, {0.1, -1, 0.3}};
-    struct faces *faces = state;
     for (int i = 0; i < LIGHT_COUNT; i++) {
-        faces->light[i] = vec3_normalized(directions[i]);
+        faces.light[i] = vec3_normalized(directions[i]);
     }
-    if (!bench_read_model(&faces->model, "bust.obj", error)) {
+    if (!bench_read_model(&faces.model, "bust.obj", error)) {
         return false;
     }
-    faces->levels = calloc(LIGHT_COUNT * (faces->model.face_count + 1), sizeof *faces->levels);
-    return faces->levels != NULL || error_out_of_memory(error);
-}
-
-static void faces_teardown(void *state) {
-    struct faces *faces = state;
-    model_free(&faces->model);
-    free(faces->levels);
-}
-
-static double faces_units(const void *state, int base) {
-    (void)base;
-    return (double)(LIGHT_COUNT * ((const struct faces *)state)->model.face_count);
+    faces.level_count = LIGHT_COUNT * faces.model.face_count;
+    faces.levels = bench_memory(faces.level_count, sizeof *faces.levels);
+    return true;
 }
 
 static const struct bench_version attempt_versions[] = {
@@ -154,10 +139,10 @@ static const struct bench_panel faces_panels[] = {
         .house_within = 1e-12,
         .run = run,
         .error = error_of,
-        .units = faces_units,
+        .units = &faces.level_count,
         BENCH_VERSIONS(attempt_versions),
     },
 };
 
-const struct bench_lesson bench_step04 = BENCH_LESSON(
-    "step04_flat", "Step 4: flat shading", struct faces, faces_setup, faces_teardown, faces_panels);
+const struct bench_lesson bench_step04 =
+    BENCH_LESSON("step04_flat", "Step 4: flat shading", faces_setup, faces_panels);

@@ -10,18 +10,23 @@
  * is kept at a pixel there is near / distance, or something made of it, because that is straight on
  * the screen (lesson 8).
  */
+#include "bench/bench.h"
+
 #define LESSON "../step05_zbuffer/main.c"
 #include "lesson.h"
 
+typedef bool depth_test(void *buffer, size_t i, double depth);
+struct drawn;
+INLINED void attempt_triangle(struct image *image, const struct drawn *d, depth_test *test,
+                              void *buffer);
 #include "../../../step05_zbuffer/attempts.h"
 
-#include "bench/bench.h"
 #include "oracle/oracle.h"
 
 /* Sheets fill the image in CELLS x CELLS cells: the lowest left one is the nearest, the uppermost
  * right one the farthest. */
 enum { SIDE = 800, CELLS = 8, CELL_SIDE = SIDE / CELLS, SHEETS_IN_CELL = 4, NOTHING = 0 };
-enum { PILE_KNOT, PILE_SHEETS, PILE_COUNT };
+enum { PILE_KNOT, PILE_SHEETS, PILE_COUNT, WAYS = 8 /* choices for each pile */ };
 
 /* Triangles to draw. Triangle i has the colour i + 1, as blue + 256 * green + 65536 * red. */
 struct pile {
@@ -30,16 +35,16 @@ struct pile {
     double steps;         /* in a depth of 1: a power of 2 */
     double far;           /* least depth that can be kept; the greatest is 1 */
     size_t count;
-    uint32_t *nearest; /* the colour that each pixel should have, NOTHING for none */
-    size_t seen;       /* pixels with a colour */
+    uint32_t nearest[SIDE * SIDE]; /* the colour that each pixel should have, NOTHING for none */
+    size_t seen;                   /* pixels with a colour */
 };
 
-struct depth_bench {
+static struct {
     struct pile piles[PILE_COUNT];
     struct image image;
     struct drawn *sorted; /* memory for a list that is sorted */
     void *buffer;         /* 8 bytes a pixel */
-};
+} bench;
 
 /* ---- Triangles ---- */
 
@@ -56,18 +61,9 @@ static void pile_add(struct pile *pile, const struct vertex v[3]) {
     d->color = color_rgb((uint8_t)(name >> 16), (uint8_t)(name >> 8), (uint8_t)name);
 }
 
-static bool pile_allocate(struct pile *pile, size_t limit, struct error *error) {
-    pile->list = calloc(limit + 1, sizeof *pile->list);
-    pile->depths = calloc(limit + 1, sizeof *pile->depths);
-    pile->nearest = calloc((size_t)SIDE * SIDE, sizeof *pile->nearest);
-    return (pile->list != NULL && pile->depths != NULL && pile->nearest != NULL) ||
-           error_set(error, "out of memory for %zu triangles", limit);
-}
-
-static void pile_free(struct pile *pile) {
-    free(pile->list);
-    free(pile->depths);
-    free(pile->nearest);
+static void pile_allocate(struct pile *pile, size_t limit) {
+    pile->list = bench_memory(limit, sizeof *pile->list);
+    pile->depths = bench_memory(limit, sizeof *pile->depths);
 }
 
 /* A board of two triangles, which leans back and passes through the middle of the knot. */
@@ -84,20 +80,20 @@ static void add_board(struct pile *pile) {
 static bool make_knot(struct pile *pile, const struct image *image, struct error *error) {
     struct model model;
     const struct vec3 light = {0, 0, -1};
-    bool done = bench_read_model(&model, "knot.off", error) &&
-                pile_allocate(pile, model.face_count + 2, error);
+    if (!bench_read_model(&model, "knot.off", error)) {
+        return false;
+    }
+    pile_allocate(pile, model.face_count + 2);
     pile->steps = 0x1p23;
-    for (size_t face = 0; done && face < model.face_count; face++) {
+    for (size_t face = 0; face < model.face_count; face++) {
         struct vertex v[3];
         if (model_face_intensity(&model, face, light) > 0 && place_face(&model, face, image, v)) {
             pile_add(pile, v);
         }
     }
-    if (done) {
-        add_board(pile);
-    }
+    add_board(pile);
     model_free(&model);
-    return done;
+    return true;
 }
 
 /* A sheet fills its cell; its depth is `depth` to about a thousandth. */
@@ -119,12 +115,10 @@ static void add_sheet(struct pile *pile, int column, int row, double depth, stru
 
 /* The far end is `ratio` times as far as the near one; each cell is a little farther than the cell
  * before, always by the same factor. */
-static bool make_sheets(struct pile *pile, double ratio, struct error *error) {
+static void make_sheets(struct pile *pile, double ratio) {
     struct random random = {5};
     int cells = CELLS * CELLS;
-    if (!pile_allocate(pile, (size_t)cells * SHEETS_IN_CELL * 2, error)) {
-        return false;
-    }
+    pile_allocate(pile, (size_t)cells * SHEETS_IN_CELL * 2);
     pile->steps = 0x1p52;
     pile->far = 1 / ratio;
     for (int i = 0; i < cells * SHEETS_IN_CELL; i++) {
@@ -132,7 +126,6 @@ static bool make_sheets(struct pile *pile, double ratio, struct error *error) {
         double depth = pow(ratio, -(cell + 0.5) / cells); /* near / distance */
         add_sheet(pile, cell % CELLS, cell / CELLS, depth, &random);
     }
-    return true;
 }
 
 /* ---- The exact picture ---- */
@@ -183,27 +176,20 @@ static void pile_find_nearest(struct pile *pile) {
 
 /* ---- Several ways to decide ---- */
 
-enum { FILE_ORDER, PAINTER, HOUSE };
-
-static void draw_house(struct canvas *canvas, const struct drawn *list, size_t count) {
-    depth_clear(canvas->depth, (size_t)SIDE * SIDE);
-    for (size_t i = 0; i < count; i++) {
-        triangle(canvas, list[i].v, list[i].color);
-    }
-}
-
-static void run_knot(void *state, int choice) {
-    struct depth_bench *bench = state;
-    const struct pile *pile = &bench->piles[PILE_KNOT];
-    struct canvas canvas = {.image = &bench->image, .depth = bench->buffer};
-    memset(bench->image.pixels, 0, (size_t)SIDE * SIDE * 3);
+static void run_knot(int choice) {
+    const struct pile *pile = &bench.piles[PILE_KNOT];
+    struct canvas canvas = {.image = &bench.image, .depth = bench.buffer};
+    memset(bench.image.pixels, 0, (size_t)SIDE * SIDE * 3);
     if (choice == FILE_ORDER) {
-        attempt_1_file_order(&bench->image, pile->list, pile->count);
+        attempt_1_file_order(&bench.image, pile->list, pile->count);
     } else if (choice == PAINTER) {
-        memcpy(bench->sorted, pile->list, pile->count * sizeof *pile->list);
-        attempt_2_painter(&bench->image, bench->sorted, pile->count);
+        memcpy(bench.sorted, pile->list, pile->count * sizeof *pile->list);
+        attempt_2_painter(&bench.image, bench.sorted, pile->count);
     } else {
-        draw_house(&canvas, pile->list, pile->count);
+        depth_clear(canvas.depth, (size_t)SIDE * SIDE);
+        for (size_t i = 0; i < pile->count; i++) {
+            triangle(&canvas, pile->list[i].v, pile->list[i].color);
+        }
     }
 }
 
@@ -225,35 +211,18 @@ enum { FIXED_16, FIXED_24, FIXED_32, FLOAT, REVERSED, DOUBLE, KINDS };
 KEEP_STEPS(keep_16, uint16_t)
 KEEP_STEPS(keep_32, uint32_t)
 
-/* triangle() of main.c, line by line, except for the number in which a depth is kept. `test` is a
- * constant wherever this is used, and becomes a part of the loop. */
-INLINED void kept_triangle(struct canvas *canvas, const struct vertex v[3], struct color color,
-                           void *buffer, depth_test *test) {
-    struct image *image = canvas->image;
-    struct edges edges;
-    if (!edges_setup(&edges, v[0].position, v[1].position, v[2].position, image->width,
-                     image->height)) {
-        return;
-    }
-    for (int y = edges.y_begin; y < edges.y_end; y++) {
-        struct span span = edges_span(&edges, y);
-        size_t row = (size_t)y * image->width;
-        for (int x = span.begin; x < span.end; x++) {
-            struct vec3 weight = edges_weights(&edges, x, y);
-            double depth = interpolate_depth(weight, v[0].depth, v[1].depth, v[2].depth);
-            canvas->pixels_tested++;
-            if (test(buffer, row + (size_t)x, depth)) {
-                image_set(image, x, y, color);
-                canvas->pixels_written++;
-            }
-        }
-    }
-}
+static uint64_t tested, written;
 
+/* attempts.h's triangle(), which counts as main.c's does, with each test as a part of its loop. */
 #define KEPT_TRIANGLE(name, test)                                                                  \
-    static void name(struct canvas *canvas, const struct vertex v[3], struct color color,          \
-                     void *buffer) {                                                               \
-        kept_triangle(canvas, v, color, buffer, test);                                             \
+    static inline bool test##_counted(void *buffer, size_t i, double depth) {                      \
+        bool kept = test(buffer, i, depth);                                                        \
+        tested++;                                                                                  \
+        written += kept;                                                                           \
+        return kept;                                                                               \
+    }                                                                                              \
+    static void name(const struct drawn *d) {                                                      \
+        attempt_triangle(&bench.image, d, test##_counted, bench.buffer);                           \
     }
 
 KEPT_TRIANGLE(triangle_16, keep_16)
@@ -261,15 +230,14 @@ KEPT_TRIANGLE(triangle_32, keep_32)
 KEPT_TRIANGLE(triangle_float, attempt_keep_farther)
 KEPT_TRIANGLE(triangle_reversed, attempt_keep_float)
 
-static void triangle_double(struct canvas *canvas, const struct vertex v[3], struct color color,
-                            void *buffer) {
-    (void)buffer; /* canvas->depth */
-    triangle(canvas, v, color);
+static void triangle_double(const struct drawn *d) {
+    struct canvas canvas = {.image = &bench.image, .depth = bench.buffer};
+    triangle(&canvas, d->v, d->color);
 }
 
 /* What a depth is kept in. */
 struct kind {
-    void (*draw)(struct canvas *canvas, const struct vertex v[3], struct color color, void *buffer);
+    void (*draw)(const struct drawn *d);
     size_t bytes; /* a pixel */
     double most;  /* the greatest of whole steps; 0 for kinds that keep fractions */
 };
@@ -317,32 +285,31 @@ static struct mapping mapping_of(int kind, double far) {
     return (struct mapping){1.5 - scale * far, scale};
 }
 
-static void run_sheets(void *state, int choice) {
-    struct depth_bench *bench = state;
-    const struct pile *pile = &bench->piles[PILE_SHEETS];
-    const struct kind *kind = &kinds[choice];
-    struct mapping mapping = mapping_of(choice, pile->far);
-    struct canvas canvas = {.image = &bench->image, .depth = bench->buffer};
-    memset(bench->image.pixels, 0, (size_t)SIDE * SIDE * 3);
-    clear_kept(bench->buffer, choice);
+static void run_sheets(int choice) {
+    const struct pile *pile = &bench.piles[PILE_SHEETS];
+    const struct kind *kind = &kinds[choice % WAYS];
+    struct mapping mapping = mapping_of(choice % WAYS, pile->far);
+    memset(bench.image.pixels, 0, (size_t)SIDE * SIDE * 3);
+    clear_kept(bench.buffer, choice % WAYS);
     for (size_t i = 0; i < pile->count; i++) {
         struct drawn d = pile->list[i];
         for (int k = 0; k < 3; k++) {
             d.v[k].depth = mapping.offset + mapping.scale * d.v[k].depth;
         }
-        kind->draw(&canvas, d.v, d.color, bench->buffer);
+        kind->draw(&d);
     }
 }
 
 /* ---- The errors ---- */
 
 /* Pixels of the image that show another triangle than the nearest, of 1000 that show one. */
-static double pile_error(const struct depth_bench *bench, const struct pile *pile) {
+static double error_of(int choice) {
+    const struct pile *pile = &bench.piles[choice / WAYS];
     size_t wrong = 0;
     for (int y = 0; y < SIDE; y++) {
         for (int x = 0; x < SIDE; x++) {
             uint32_t right = pile->nearest[(size_t)y * SIDE + (size_t)x];
-            const uint8_t *p = bench->image.pixels + ((size_t)y * SIDE + (size_t)x) * 3;
+            const uint8_t *p = bench.image.pixels + ((size_t)y * SIDE + (size_t)x) * 3;
             uint32_t shown = p[0] | (uint32_t)p[1] << 8 | (uint32_t)p[2] << 16;
             bool differs = shown != right;
             if (differs && shown != NOTHING && right != NOTHING) {
@@ -354,53 +321,27 @@ static double pile_error(const struct depth_bench *bench, const struct pile *pil
     return 1000 * (double)wrong / (double)pile->seen;
 }
 
-static double error_knot(void *state, int choice) {
-    (void)choice;
-    const struct depth_bench *bench = state;
-    return pile_error(bench, &bench->piles[PILE_KNOT]);
-}
-
-static double error_sheets(void *state, int choice) {
-    (void)choice;
-    const struct depth_bench *bench = state;
-    return pile_error(bench, &bench->piles[PILE_SHEETS]);
-}
-
 /* ---- The lesson ---- */
 
-static bool depth_setup(void *state, struct error *error) {
-    struct depth_bench *bench = state;
-    struct pile *piles = bench->piles;
-    if (!image_create(&bench->image, SIDE, SIDE, IMAGE_BGR, error) ||
-        !make_knot(&piles[PILE_KNOT], &bench->image, error) ||
-        !make_sheets(&piles[PILE_SHEETS], 1e6, error)) {
+static bool depth_setup(struct error *error) {
+    struct pile *piles = bench.piles;
+    if (!image_create(&bench.image, SIDE, SIDE, IMAGE_BGR, error) ||
+        !make_knot(&piles[PILE_KNOT], &bench.image, error)) {
         return false;
     }
-    bench->sorted = calloc(piles[PILE_KNOT].count, sizeof *bench->sorted);
-    bench->buffer = calloc((size_t)SIDE * SIDE, sizeof(double));
-    if (bench->sorted == NULL || bench->buffer == NULL) {
-        return error_set(error, "out of memory for a depth buffer");
-    }
+    make_sheets(&piles[PILE_SHEETS], 1e6);
+    bench.buffer = bench_memory((size_t)SIDE * SIDE, sizeof(double));
+    bench.sorted = bench_memory(piles[PILE_KNOT].count, sizeof *bench.sorted);
     for (int i = 0; i < PILE_COUNT; i++) {
         pile_find_nearest(&piles[i]);
     }
     return true;
 }
 
-static void depth_teardown(void *state) {
-    struct depth_bench *bench = state;
-    for (int i = 0; i < PILE_COUNT; i++) {
-        pile_free(&bench->piles[i]);
-    }
-    image_free(&bench->image);
-    free(bench->sorted);
-    free(bench->buffer);
-}
-
 static const struct bench_version knot_versions[] = {
     VERSION("1: order of the file", FILE_ORDER),
     VERSION("2: painter's order", PAINTER),
-    HOUSE_VERSION("main.c", HOUSE),
+    HOUSE_VERSION("main.c", DEPTH_BUFFER),
 };
 
 static const struct bench_version sheets_versions[] = {
@@ -417,7 +358,7 @@ static const struct bench_panel depth_panels[] = {
         .against = "exact fractions",
         .house_within = BENCH_EXACT,
         .run = run_knot,
-        .error = error_knot,
+        .error = error_of,
         BENCH_VERSIONS(knot_versions),
     },
     {
@@ -426,12 +367,12 @@ static const struct bench_panel depth_panels[] = {
         .time_label = "ms per frame",
         .against = "exact fractions",
         .house_within = BENCH_EXACT,
+        .base = PILE_SHEETS * WAYS,
         .run = run_sheets,
-        .error = error_sheets,
+        .error = error_of,
         BENCH_VERSIONS(sheets_versions),
     },
 };
 
 const struct bench_lesson bench_step05 =
-    BENCH_LESSON("step05_zbuffer", "Step 5: a depth buffer", struct depth_bench, depth_setup,
-                 depth_teardown, depth_panels);
+    BENCH_LESSON("step05_zbuffer", "Step 5: a depth buffer", depth_setup, depth_panels);

@@ -21,11 +21,12 @@ INLINED struct vec2 plane_uv(const struct quotients *plane, int x, int y, double
 #define LESSON "../step06_texture/main.c"
 #include "lesson.h"
 
+typedef struct color attempt_sampler(const struct texture *texture, struct vec2 uv);
+INLINED void attempt_perspective(struct image *image, const struct vertex v[3],
+                                 const struct texture *texture, attempt_sampler *sampler);
 #include "../../../step06_texture/attempts.h"
 
 #include "oracle/oracle.h"
-
-#include <stdlib.h>
 
 enum { HILL_SIDE = 512, HILL_TEXELS = 16, HILL_SAMPLES = 16 }; /* 16 * 16 samples a pixel */
 enum { FAR_SIDE = 400, FAR_RAYS = 32, TILES_SIDE = 800 };
@@ -36,39 +37,17 @@ struct target {
     struct vertex corners[4];
     struct texture texture;
     struct vec3 *exact; /* red, green, blue of each pixel; red is negative where there is none */
-    double pixels;      /* that are drawn */
+    size_t pixels;      /* that are drawn */
 };
 
 enum { HILL, FAR, TILES, TARGETS };
 
-struct work {
-    struct target targets[TARGETS];
-};
+static struct target targets[TARGETS];
 
 /* ---- Triangles ---- */
 
-/* The colour at a place. */
-typedef struct color sampler(const struct texture *texture, struct vec2 uv);
-
 typedef void draw_function(struct image *image, const struct vertex v[3],
                            const struct texture *texture);
-
-/* perspective_triangle() of main.c with any sampler: a constant where this is used. */
-INLINED void draw_sampled(struct image *image, const struct vertex v[3],
-                          const struct texture *texture, sampler *sample) {
-    struct quotients plane;
-    if (!plane_begin(&plane, image, v)) {
-        return;
-    }
-    for (int y = plane.edges.y_begin; y < plane.edges.y_end; y++) {
-        struct span span = edges_span(&plane.edges, y);
-        for (int x = span.begin; x < span.end; x++) {
-            double w;
-            struct vec2 uv = plane_uv(&plane, x, y, &w);
-            image_set(image, x, y, sample(texture, uv));
-        }
-    }
-}
 
 /* The other versions of perspective show the nearest texel: a cheap sampler hides no time. */
 static inline void set_nearest(struct image *image, int x, int y, const struct texture *texture,
@@ -159,18 +138,14 @@ static void draw_house(struct image *image, const struct vertex v[3],
     perspective_triangle(&canvas, v, texture);
 }
 
-#define DRAW(name, draw, constant)                                                                 \
+#define DRAW_EVERY(name, step)                                                                     \
     static void name(struct image *image, const struct vertex v[3],                                \
                      const struct texture *texture) {                                              \
-        draw(image, v, texture, constant);                                                         \
+        draw_every(image, v, texture, step);                                                       \
     }
-DRAW(draw_rounding, draw_sampled, attempt_sample_rounded)
-DRAW(draw_nearest, draw_sampled, sample_nearest)
-DRAW(draw_half_off, draw_sampled, attempt_sample_unshifted)
-DRAW(draw_bilinear, draw_sampled, attempt_sample_bilinear)
-DRAW(draw_every_1, draw_every, 1)
-DRAW(draw_every_8, draw_every, 8)
-DRAW(draw_every_16, draw_every, 16)
+DRAW_EVERY(draw_every_1, 1)
+DRAW_EVERY(draw_every_8, 8)
+DRAW_EVERY(draw_every_16, 16)
 
 enum {
     ROUNDING,
@@ -186,9 +161,15 @@ enum {
 };
 
 static draw_function *const draws[] = {
-    [ROUNDING] = draw_rounding, [NEAREST] = draw_nearest,   [HALF_OFF] = draw_half_off,
-    [BILINEAR] = draw_bilinear, [HOUSE] = draw_house,       [EVERY_1] = draw_every_1,
-    [EVERY_8] = draw_every_8,   [EVERY_16] = draw_every_16, [AFFINE] = draw_affine,
+    [ROUNDING] = attempt_1_rounded,
+    [NEAREST] = attempt_2_nearest,
+    [HALF_OFF] = attempt_3_unshifted,
+    [BILINEAR] = attempt_4_no_levels,
+    [HOUSE] = draw_house,
+    [EVERY_1] = draw_every_1,
+    [EVERY_8] = draw_every_8,
+    [EVERY_16] = draw_every_16,
+    [AFFINE] = draw_affine,
 };
 
 static void draw_target(struct target *target, int choice) {
@@ -239,17 +220,8 @@ static struct color hill_texel(int x, int y) {
 /* ---- Setting up ---- */
 
 static bool target_create(struct target *target, size_t side, struct error *error) {
-    target->exact = malloc(side * side * sizeof *target->exact);
-    if (target->exact == NULL) {
-        return error_out_of_memory(error);
-    }
+    target->exact = bench_memory(side * side, sizeof *target->exact);
     return image_create(&target->image, side, side, IMAGE_BGR, error);
-}
-
-static void target_free(struct target *target) {
-    image_free(&target->image);
-    texture_free(&target->texture);
-    free(target->exact);
 }
 
 static bool make_hill(struct target *hill, struct error *error) {
@@ -266,7 +238,7 @@ static bool make_hill(struct target *hill, struct error *error) {
     for (size_t i = 0; i < (size_t)HILL_SIDE * HILL_SIDE; i++) {
         hill->exact[i] = hill_mean(i % HILL_SIDE, i / HILL_SIDE, HILL_SIDE);
     }
-    hill->pixels = (double)HILL_SIDE * HILL_SIDE;
+    hill->pixels = (size_t)HILL_SIDE * HILL_SIDE;
     return true;
 }
 
@@ -339,31 +311,19 @@ static bool make_tiles(struct target *tiles, struct error *error) {
     return true;
 }
 
-static bool setup(void *state, struct error *error) {
-    struct target *targets = ((struct work *)state)->targets;
+static bool setup(struct error *error) {
     return make_hill(&targets[HILL], error) && make_far(&targets[FAR], error) &&
            make_tiles(&targets[TILES], error);
 }
 
-static void teardown(void *state) {
-    struct work *work = state;
-    for (int i = 0; i < TARGETS; i++) {
-        target_free(&work->targets[i]);
-    }
-}
-
 /* ---- The panels ---- */
 
-static void run(void *state, int choice) {
-    draw_target(&((struct work *)state)->targets[choice / WAYS], choice % WAYS);
+static void run(int choice) {
+    draw_target(&targets[choice / WAYS], choice % WAYS);
 }
 
-static double error_of(void *state, int choice) {
-    return target_error(&((const struct work *)state)->targets[choice / WAYS]);
-}
-
-static double units(const void *state, int base) {
-    return ((const struct work *)state)->targets[base / WAYS].pixels;
+static double error_of(int choice) {
+    return target_error(&targets[choice / WAYS]);
 }
 
 static const struct bench_version near_versions[] = {
@@ -398,7 +358,7 @@ static const struct bench_panel bench_panels[] = {
      .base = HILL * WAYS,
      .run = run,
      .error = error_of,
-     .units = units,
+     .units = &targets[HILL].pixels,
      BENCH_VERSIONS(near_versions)},
     {.title = "Far: tiles towards the horizon, 400x400 pixels",
      .error_label = "levels, root mean square",
@@ -407,7 +367,7 @@ static const struct bench_panel bench_panels[] = {
      .base = FAR * WAYS,
      .run = run,
      .error = error_of,
-     .units = units,
+     .units = &targets[FAR].pixels,
      BENCH_VERSIONS(far_versions),
      .budget = 2},
     {.title = "Perspective: divided how often? The tiles, nearest texel, 800x800",
@@ -417,7 +377,7 @@ static const struct bench_panel bench_panels[] = {
      .base = TILES * WAYS,
      .run = run,
      .error = error_of,
-     .units = units,
+     .units = &targets[TILES].pixels,
      BENCH_VERSIONS(perspective_versions),
      .budget = 2,
      .series = perspective_series,
@@ -425,4 +385,4 @@ static const struct bench_panel bench_panels[] = {
 };
 
 const struct bench_lesson bench_step06 =
-    BENCH_LESSON("step06_texture", "Step 6: textures", struct work, setup, teardown, bench_panels);
+    BENCH_LESSON("step06_texture", "Step 6: textures", setup, bench_panels);

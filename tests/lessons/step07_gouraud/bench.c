@@ -15,7 +15,6 @@ INLINED double integer_power(double base, int power);
 
 #include "../../../step07_gouraud/attempts.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 enum { SIDE = 512, MESH_COUNT = 5, SHINE_POWER = 8 };
@@ -28,14 +27,14 @@ struct mesh {
     size_t count;
 };
 
-struct work {
+static struct {
     struct image image;
-    double *depth;
+    double depth[SIDE * SIDE];
     struct vec3 light; /* of length 1, towards the light */
     struct mesh meshes[MESH_COUNT];
-    long double *exact[LIGHT_COUNT]; /* level of each pixel of the sphere; negative off it */
-    double pixels;                   /* of the sphere */
-};
+    long double exact[LIGHT_COUNT][SIDE * SIDE]; /* levels of the sphere; negative off it */
+    size_t pixels;                               /* of the sphere */
+} work;
 
 /* ---- Light ---- */
 
@@ -136,34 +135,26 @@ static int light_of(int choice) {
     return choice / WAY_COUNT % LIGHT_COUNT;
 }
 
-static void run(void *state, int choice) {
-    struct work *work = state;
+static void run(int choice) {
     struct canvas canvas = {
-        .image = &work->image, .width = SIDE, .height = SIDE, .depth = work->depth, .skip = true};
-    depth_clear(work->depth, (size_t)SIDE * SIDE);
-    ways[light_of(choice)][way_of(choice)](&canvas, &work->meshes[choice / WAY_COUNT / LIGHT_COUNT],
-                                           work->light);
+        .image = &work.image, .width = SIDE, .height = SIDE, .depth = work.depth, .skip = true};
+    depth_clear(work.depth, (size_t)SIDE * SIDE);
+    ways[light_of(choice)][way_of(choice)](&canvas, &work.meshes[choice / WAY_COUNT / LIGHT_COUNT],
+                                           work.light);
 }
 
 /* Root of the mean squared error over the pixels that the sphere and its triangles share. */
-static double error_of(void *state, int choice) {
-    const struct work *work = state;
-    const long double *exact = work->exact[light_of(choice)];
+static double error_of(int choice) {
+    const long double *exact = work.exact[light_of(choice)];
     long double sum = 0, pixels = 0;
     for (size_t i = 0; i < (size_t)SIDE * SIDE; i++) {
-        if (exact[i] >= 0 && work->depth[i] > -INFINITY) {
-            long double error = work->image.pixels[i] - exact[i];
+        if (exact[i] >= 0 && work.depth[i] > -INFINITY) {
+            long double error = work.image.pixels[i] - exact[i];
             sum += error * error;
             pixels++;
         }
     }
     return (double)sqrtl(sum / pixels);
-}
-
-/* Pixels of the sphere. */
-static double units(const void *state, int base) {
-    (void)base;
-    return ((const struct work *)state)->pixels;
 }
 
 /* ---- Spheres ---- */
@@ -181,17 +172,13 @@ static void collect_face(struct canvas *canvas, struct attempt_face *face, struc
 }
 
 /* Of 128, 512, 2,048, 8,192 and 32,768 triangles; those that face the viewer are kept. */
-static bool make_meshes(struct work *work, struct error *error) {
+static void make_meshes(void) {
     for (int i = 0; i < MESH_COUNT; i++) {
-        struct mesh *mesh = &work->meshes[i];
-        struct collector collector = {{.width = SIDE, .height = SIDE, .depth = work->depth}, mesh};
-        mesh->faces = malloc((8U << 2 * (i + 2)) * sizeof *mesh->faces);
-        if (mesh->faces == NULL) {
-            return error_out_of_memory(error);
-        }
-        attempt_sphere(&collector.canvas, i + 2, work->light, collect_face);
+        struct mesh *mesh = &work.meshes[i];
+        struct collector collector = {{.width = SIDE, .height = SIDE, .depth = work.depth}, mesh};
+        mesh->faces = bench_memory(8U << 2 * (i + 2), sizeof *mesh->faces);
+        attempt_sphere(&collector.canvas, i + 2, work.light, collect_face);
     }
-    return true;
 }
 
 /* ---- Setting up ---- */
@@ -211,42 +198,17 @@ static void sphere_levels(int x, int y, struct vec3 light, long double levels[LI
     levels[HIGHLIGHT] = cosine > 0 && mirrored > 0 ? 255 * powl(mirrored, SHINE_POWER) : 0;
 }
 
-static bool allocate(struct work *work, struct error *error) {
-    const size_t pixels = (size_t)SIDE * SIDE;
-    work->depth = malloc(pixels * sizeof *work->depth);
-    work->exact[DIFFUSE] = malloc(pixels * sizeof(long double));
-    work->exact[HIGHLIGHT] = malloc(pixels * sizeof(long double));
-    if (work->depth == NULL || work->exact[DIFFUSE] == NULL || work->exact[HIGHLIGHT] == NULL) {
-        return error_out_of_memory(error);
-    }
-    return image_create(&work->image, SIDE, SIDE, IMAGE_GREY, error);
-}
-
-static bool setup(void *state, struct error *error) {
-    struct work *work = state;
-    work->light = vec3_normalized((struct vec3){1, 2, 2});
-    if (!allocate(work, error)) {
-        return false;
-    }
+static bool setup(struct error *error) {
+    work.light = vec3_normalized((struct vec3){1, 2, 2});
     for (int i = 0; i < SIDE * SIDE; i++) {
         long double levels[LIGHT_COUNT];
-        sphere_levels(i % SIDE, i / SIDE, work->light, levels);
-        work->exact[DIFFUSE][i] = levels[DIFFUSE];
-        work->exact[HIGHLIGHT][i] = levels[HIGHLIGHT];
-        work->pixels += levels[DIFFUSE] >= 0;
+        sphere_levels(i % SIDE, i / SIDE, work.light, levels);
+        work.exact[DIFFUSE][i] = levels[DIFFUSE];
+        work.exact[HIGHLIGHT][i] = levels[HIGHLIGHT];
+        work.pixels += levels[DIFFUSE] >= 0;
     }
-    return make_meshes(work, error);
-}
-
-static void teardown(void *state) {
-    struct work *work = state;
-    for (int i = 0; i < MESH_COUNT; i++) {
-        free(work->meshes[i].faces);
-    }
-    image_free(&work->image);
-    free(work->depth);
-    free(work->exact[DIFFUSE]);
-    free(work->exact[HIGHLIGHT]);
+    make_meshes();
+    return image_create(&work.image, SIDE, SIDE, IMAGE_GREY, error);
 }
 
 /* ---- The panels ---- */
@@ -275,7 +237,7 @@ static const struct bench_panel bench_panels[] = {
      .against = "the true sphere, long double",
      .run = run,
      .error = error_of,
-     .units = units,
+     .units = &work.pixels,
      BENCH_VERSIONS(diffuse_versions),
      .series = series},
     {.title = "A highlight on the same spheres",
@@ -284,10 +246,10 @@ static const struct bench_panel bench_panels[] = {
      .against = "the true sphere, long double",
      .run = run,
      .error = error_of,
-     .units = units,
+     .units = &work.pixels,
      BENCH_VERSIONS(highlight_versions),
      .series = series},
 };
 
-const struct bench_lesson bench_step07 = BENCH_LESSON(
-    "step07_gouraud", "Step 7: light on a round body", struct work, setup, teardown, bench_panels);
+const struct bench_lesson bench_step07 =
+    BENCH_LESSON("step07_gouraud", "Step 7: light on a round body", setup, bench_panels);

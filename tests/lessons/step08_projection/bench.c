@@ -66,20 +66,21 @@ struct found {
     long double tolerance; /* what the depth may be off when corners are moved by 1/128 pixel */
 };
 
-struct work {
+static struct {
     struct model model;
     struct state state; /* of the lesson's program */
     struct drawing drawing;
-    double *depth;
-    struct image image, small;
+    double depth[SMALL_SIDE * SMALL_SIDE];
+    struct image small;
     struct mat4 to_screen;
     struct mat4_float to_screen_float;
     struct view views[OFFSETS][CAMERAS];
     struct whole whole[CONDITIONS][MATRICES];
     struct mat4 matrices[CONDITIONS][MATRICES], inverses[MATRICES];
     bool inverted[MATRICES];
-    struct found *found; /* in scene closeup */
-};
+    struct found found[SMALL_SIDE * SMALL_SIDE]; /* in scene closeup */
+    size_t corner_count, matrix_count;           /* of a run */
+} work;
 
 /* ---- Corners to the screen ---- */
 
@@ -108,23 +109,16 @@ enum number { IN_FLOAT, IN_DOUBLE };
 TRANSFORM(transform_float, float, struct vec3_float, struct mat4_float)
 TRANSFORM(transform_double, double, struct vec3, struct mat4)
 
-static void run_chain(void *state, int choice) {
-    struct work *work = state;
+static void run_chain(int choice) {
     for (int k = 0; k < CAMERAS; k++) {
-        struct view *v = &work->views[choice % (int)OFFSETS][k];
+        struct view *v = &work.views[choice % (int)OFFSETS][k];
         if (choice / (int)OFFSETS == IN_FLOAT) {
-            transform_float(v->count, v->corners_float, &v->to_clip_float, &work->to_screen_float,
+            transform_float(v->count, v->corners_float, &v->to_clip_float, &work.to_screen_float,
                             v->screen);
         } else {
-            transform_double(v->count, v->corners, &v->to_clip, &work->to_screen, v->screen);
+            transform_double(v->count, v->corners, &v->to_clip, &work.to_screen, v->screen);
         }
     }
-}
-
-static double units_chain(const void *state, int base) {
-    (void)base;
-    const struct work *work = state;
-    return (double)(work->views[0][0].count + work->views[0][1].count);
 }
 
 /* Where a corner is seen, by similar triangles in the camera's own axes, without a matrix. */
@@ -138,11 +132,10 @@ static void find_screen(const struct camera *camera, struct vec3 corner, long do
     screen[1] = (real3_dot(p, y) / w + 1) * SIDE / 2;
 }
 
-static double error_chain(void *state, int choice) {
-    const struct work *work = state;
+static double error_chain(int choice) {
     long double worst = 0;
     for (int k = 0; k < CAMERAS; k++) {
-        const struct view *view = &work->views[choice % (int)OFFSETS][k];
+        const struct view *view = &work.views[choice % (int)OFFSETS][k];
         for (size_t i = 0; i < view->count; i++) {
             long double exact[2];
             find_screen(&view->camera, view->corners[i], exact);
@@ -171,16 +164,13 @@ static struct mat4_float float_matrix(const struct mat4 *a) {
     return result;
 }
 
-static bool make_view(struct view *view, const struct model *model, const struct camera *camera,
-                      double by, struct error *error) {
+static void make_view(struct view *view, const struct model *model, const struct camera *camera,
+                      double by) {
     struct mat4 to_clip = camera_matrix(camera);
     view->camera = moved_camera(*camera, by);
-    view->corners = malloc(model->position_count * sizeof *view->corners);
-    view->corners_float = malloc(model->position_count * sizeof *view->corners_float);
-    view->screen = malloc(model->position_count * sizeof *view->screen);
-    if (view->corners == NULL || view->corners_float == NULL || view->screen == NULL) {
-        return error_out_of_memory(error);
-    }
+    view->corners = bench_memory(model->position_count, sizeof *view->corners);
+    view->corners_float = bench_memory(model->position_count, sizeof *view->corners_float);
+    view->screen = bench_memory(model->position_count, sizeof *view->screen);
     view->to_clip = camera_matrix(&view->camera);
     view->to_clip_float = float_matrix(&view->to_clip);
     for (size_t i = 0; i < model->position_count; i++) {
@@ -192,27 +182,16 @@ static bool make_view(struct view *view, const struct model *model, const struct
                 (struct vec3_float){(float)p.x, (float)p.y, (float)p.z};
         }
     }
-    return true;
 }
 
-static bool make_views(struct work *work, struct error *error) {
-    bool done = true;
-    work->to_screen = viewport(SIDE, SIDE);
-    work->to_screen_float = float_matrix(&work->to_screen);
-    for (int i = 0; done && i < (int)OFFSETS * CAMERAS; i++) {
-        done = make_view(&work->views[i / CAMERAS][i % CAMERAS], &work->model,
-                         &cameras[i % CAMERAS], offsets[i / CAMERAS], error);
-    }
-    return done;
-}
-
-static void free_views(struct work *work) {
+static void make_views(void) {
+    work.to_screen = viewport(SIDE, SIDE);
+    work.to_screen_float = float_matrix(&work.to_screen);
     for (int i = 0; i < (int)OFFSETS * CAMERAS; i++) {
-        struct view *view = &work->views[i / CAMERAS][i % CAMERAS];
-        free(view->corners);
-        free(view->corners_float);
-        free(view->screen);
+        make_view(&work.views[i / CAMERAS][i % CAMERAS], &work.model, &cameras[i % CAMERAS],
+                  offsets[i / CAMERAS]);
     }
+    work.corner_count = work.views[0][0].count + work.views[0][1].count;
 }
 
 /* ---- Inverses ---- */
@@ -228,18 +207,11 @@ static attempt_inverse *const inverters[] = {
 /* A version: how to invert, and which condition the matrices have. */
 #define INVERT(inverter, condition) ((int)(inverter)*CONDITIONS + (condition))
 
-static void run_inverse(void *state, int choice) {
-    struct work *work = state;
-    const struct mat4 *matrices = work->matrices[choice % CONDITIONS];
+static void run_inverse(int choice) {
+    const struct mat4 *matrices = work.matrices[choice % CONDITIONS];
     for (int i = 0; i < MATRICES; i++) {
-        work->inverted[i] = inverters[choice / CONDITIONS](matrices[i], &work->inverses[i]);
+        work.inverted[i] = inverters[choice / CONDITIONS](matrices[i], &work.inverses[i]);
     }
-}
-
-static double units_inverse(const void *state, int base) {
-    (void)state;
-    (void)base;
-    return MATRICES;
 }
 
 static long double exact_inverse(const struct whole *a, int row, int column) {
@@ -262,15 +234,13 @@ static long double inverse_error(const struct whole *a, const struct mat4 *inver
     return worst / largest;
 }
 
-static double error_inverse(void *state, int choice) {
-    struct work *work = state;
+static double error_inverse(int choice) {
     long double worst = 0;
     for (int i = 0; i < MATRICES; i++) {
-        if (!work->inverted[i]) {
+        if (!work.inverted[i]) {
             return (double)INFINITY;
         }
-        worst =
-            fmaxl(worst, inverse_error(&work->whole[choice % CONDITIONS][i], &work->inverses[i]));
+        worst = fmaxl(worst, inverse_error(&work.whole[choice % CONDITIONS][i], &work.inverses[i]));
     }
     return (double)worst;
 }
@@ -330,13 +300,14 @@ static void make_matrix(struct whole *a, int bits, struct random *random) {
     }
 }
 
-static void make_matrices(struct work *work) {
+static void make_matrices(void) {
     struct random random = {8};
+    work.matrix_count = MATRICES;
     for (int i = 0; i < CONDITIONS * MATRICES; i++) {
-        struct whole *a = &work->whole[i / MATRICES][i % MATRICES];
+        struct whole *a = &work.whole[i / MATRICES][i % MATRICES];
         make_matrix(a, condition_bits[i / MATRICES], &random);
         for (int k = 0; k < 16; k++) {
-            work->matrices[i / MATRICES][i % MATRICES].m[k / 4][k % 4] = (double)a->m[k / 4][k % 4];
+            work.matrices[i / MATRICES][i % MATRICES].m[k / 4][k % 4] = (double)a->m[k / 4][k % 4];
         }
     }
 }
@@ -351,12 +322,11 @@ static attempt_draw *const draws[] = {
     [CLIPPED] = draw_model,
 };
 
-static void run_clip(void *state, int choice) {
-    struct work *work = state;
-    struct canvas canvas = make_canvas(&work->drawing, &work->small, whole_image(&work->small));
-    depth_clear(work->depth, (size_t)SMALL_SIDE * SMALL_SIDE);
-    work->drawing.counter_count = 0;
-    draws[choice](&work->drawing, &canvas, &work->views[0][1].to_clip);
+static void run_clip(int choice) {
+    struct canvas canvas = make_canvas(&work.drawing, &work.small, whole_image(&work.small));
+    depth_clear(work.depth, (size_t)SMALL_SIDE * SMALL_SIDE);
+    work.drawing.counter_count = 0;
+    draws[choice](&work.drawing, &canvas, &work.views[0][1].to_clip);
 }
 
 /* A face as rays see it: the ray through ndc (x, y) meets its plane at the sum of weight[i] times
@@ -419,33 +389,32 @@ static void find_face(const struct ray_face *face, struct found *found) {
     }
 }
 
-static void find_all(struct work *work) {
+static void find_all(void) {
     for (int i = 0; i < SMALL_SIDE * SMALL_SIDE; i++) {
-        work->found[i] = (struct found){-(long double)INFINITY, 0};
+        work.found[i] = (struct found){-(long double)INFINITY, 0};
     }
-    for (size_t face = 0; face < work->model.face_count; face++) {
+    for (size_t face = 0; face < work.model.face_count; face++) {
         struct vec4 clip[3];
         struct ray_face ray_face;
         bool in_front = false;
         for (size_t i = 0; i < 3; i++) {
-            clip[i] = mat4_point(&work->views[0][1].to_clip, model_position(&work->model, face, i));
+            clip[i] = mat4_point(&work.views[0][1].to_clip, model_position(&work.model, face, i));
             in_front = in_front || clip[i].w >= near_w;
         }
         if (in_front && make_ray_face(clip, &ray_face)) {
-            find_face(&ray_face, work->found);
+            find_face(&ray_face, work.found);
         }
     }
 }
 
 /* Pixels whose depth is not that of the exact point, or that show something where nothing is. */
-static double error_clip(void *state, int choice) {
-    struct work *work = state;
+static double error_clip(int choice) {
     size_t wrong = 0;
     (void)choice;
     for (size_t i = 0; i < (size_t)SMALL_SIDE * SMALL_SIDE; i++) {
-        long double depth = work->depth[i], exact = work->found[i].depth;
-        bool right = isinf(exact) ? depth == exact
-                                  : fabsl(depth - exact) <= work->found[i].tolerance + 1e-9L;
+        long double depth = work.depth[i], exact = work.found[i].depth;
+        bool right =
+            isinf(exact) ? depth == exact : fabsl(depth - exact) <= work.found[i].tolerance + 1e-9L;
         wrong += !right;
     }
     return (double)wrong;
@@ -453,48 +422,27 @@ static double error_clip(void *state, int choice) {
 
 /* ---- Setting up ---- */
 
-static bool make_state(struct work *work, struct error *error) {
-    struct model *model = &work->model;
+static bool setup(struct error *error) {
+    struct model *model = &work.model;
     if (!bench_read_model(model, "bust.obj", error) || !model_need_normals(model, error)) {
         return false;
     }
-    work->depth = malloc((size_t)SIDE * SIDE * sizeof *work->depth);
-    work->found = malloc((size_t)SMALL_SIDE * SMALL_SIDE * sizeof *work->found);
-    if (work->depth == NULL || work->found == NULL) {
-        return error_out_of_memory(error);
-    }
-    work->drawing = (struct drawing){
+    work.drawing = (struct drawing){
         .model = model,
         .diffuse = model_texture(model, MODEL_DIFFUSE, error),
-        .depth = work->depth,
+        .depth = work.depth,
         .light = {1, 1, 2},
         .skip = true,
-        .state = &work->state,
+        .state = &work.state,
     };
-    return work->drawing.diffuse != NULL && prepare(&work->drawing, SIDE, SIDE, error) &&
-           image_create(&work->image, SIDE, SIDE, IMAGE_BGR, error) &&
-           image_create(&work->small, SMALL_SIDE, SMALL_SIDE, IMAGE_BGR, error);
-}
-
-static bool setup(void *state, struct error *error) {
-    struct work *work = state;
-    if (!make_state(work, error) || !make_views(work, error)) {
+    if (work.drawing.diffuse == NULL || !prepare(&work.drawing, SIDE, SIDE, error) ||
+        !image_create(&work.small, SMALL_SIDE, SMALL_SIDE, IMAGE_BGR, error)) {
         return false;
     }
-    make_matrices(work);
-    find_all(work);
+    make_views();
+    make_matrices();
+    find_all();
     return true;
-}
-
-static void teardown(void *state) {
-    struct work *work = state;
-    free(work->state.positions);
-    free(work->depth);
-    model_free(&work->model);
-    image_free(&work->image);
-    image_free(&work->small);
-    free_views(work);
-    free(work->found);
 }
 
 /* ---- The panels ---- */
@@ -550,7 +498,7 @@ static const struct bench_panel bench_panels[] = {
      .against = "long double",
      .run = run_chain,
      .error = error_chain,
-     .units = units_chain,
+     .units = &work.corner_count,
      BENCH_VERSIONS(chain_versions),
      .series = chain_series},
     {.title = "Inverses of matrices of condition 2^4 to 2^48",
@@ -559,7 +507,7 @@ static const struct bench_panel bench_panels[] = {
      .against = "exact fractions",
      .run = run_inverse,
      .error = error_inverse,
-     .units = units_inverse,
+     .units = &work.matrix_count,
      BENCH_VERSIONS(inverse_versions),
      .series = inverse_series},
     {.title = "Close up: faces reach behind the camera, 200x200 pixels",
@@ -571,5 +519,5 @@ static const struct bench_panel bench_panels[] = {
      BENCH_VERSIONS(clip_versions)},
 };
 
-const struct bench_lesson bench_step08 = BENCH_LESSON("step08_projection", "Step 8: perspective",
-                                                      struct work, setup, teardown, bench_panels);
+const struct bench_lesson bench_step08 =
+    BENCH_LESSON("step08_projection", "Step 8: perspective", setup, bench_panels);

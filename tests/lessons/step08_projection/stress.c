@@ -216,7 +216,7 @@ static bool values_are_right(const void *tried) {
 }
 
 static const struct case_kind side_cases = {.size = sizeof(struct vec4), .make = make_side};
-static const struct case_kind soup_cases = {sizeof(struct soup_case), make_soup, soup_print_case};
+static const struct case_kind soup_cases = {sizeof(struct soup_case), make_soup};
 
 const struct property lesson08_properties[] = {
     PROPERTY("lesson08: beyond which sides", AGAINST_LONG_DOUBLE, 300000, side_cases,

@@ -19,18 +19,18 @@
 
 enum { SIDE = 800, BUSTS = 4, VALUES = 3, INTENSITY = 2 /* of u, v, intensity */ };
 
-struct work {
+static struct {
     struct model model;
     struct uniforms uniforms;
     struct draw_call call;
     struct image image, exact;    /* BGRA, black where nothing is */
     struct pipeline pipelines[2]; /* with one thread, and with two */
     /* What simple_draw() and visible_draw() draw with. */
-    double *depth;
-    uint32_t *nearest;
+    double depth[SIDE * SIDE];
+    uint32_t nearest[SIDE * SIDE];
     struct kept_face *kept;
     bool drawn; /* by the last version, without running out of memory */
-};
+} work;
 
 /* ---- The versions ---- */
 
@@ -46,51 +46,49 @@ static struct shader attempt_called(const struct shader *shader) {
  * several pixels, or doesn't; added where it has two threads. */
 enum { SIMPLE, ONE_BAND, BANDS, CALLED, VISIBLE, KINDS, TWO_THREADS = KINDS };
 
-static bool draw_by_pipeline(struct work *work, int kind, struct pipeline *p) {
+static bool draw_by_pipeline(int kind, struct pipeline *p) {
     struct error error;
     struct shader called = attempt_called(&gouraud_textured);
     const struct shader *shader = kind == CALLED ? &called : &gouraud_textured;
     pipeline_clear(p);
-    return pipeline_draw(p, &work->call, shader, &work->uniforms, sizeof work->uniforms, &error) &&
-           pipeline_finish(p, &work->image, &error);
+    return pipeline_draw(p, &work.call, shader, &work.uniforms, sizeof work.uniforms, &error) &&
+           pipeline_finish(p, &work.image, &error);
 }
 
-static void run(void *state, int choice) {
-    struct work *work = state;
+static void run(int choice) {
     const size_t pixels = (size_t)SIDE * SIDE;
-    const struct canvas canvas = {&work->image, work->depth};
-    memset(work->image.pixels, 0, pixels * IMAGE_BGRA);
+    const struct canvas canvas = {&work.image, work.depth};
+    memset(work.image.pixels, 0, pixels * IMAGE_BGRA);
     if (choice % KINDS > BANDS) {
-        work->drawn = draw_by_pipeline(work, choice % KINDS, &work->pipelines[choice / KINDS]);
+        work.drawn = draw_by_pipeline(choice % KINDS, &work.pipelines[choice / KINDS]);
         return;
     }
-    work->drawn = true;
+    work.drawn = true;
     if (choice == SIMPLE) {
-        depth_clear(work->depth, pixels);
-        simple_draw(&canvas, &work->call, &simple_gouraud_textured, &work->uniforms);
+        depth_clear(work.depth, pixels);
+        simple_draw(&canvas, &work.call, &simple_gouraud_textured, &work.uniforms);
         return;
     }
     const struct band band = {
-        {0, choice == BANDS ? BAND_ROWS : SIDE}, SIDE, work->depth, work->nearest};
-    size_t count = keep_faces(&canvas, &work->call, work->kept);
-    visible_draw(&canvas, band, work->kept, (uint32_t)count, &simple_gouraud_textured,
-                 &work->uniforms);
+        {0, choice == BANDS ? BAND_ROWS : SIDE}, SIDE, work.depth, work.nearest};
+    size_t count = keep_faces(&canvas, &work.call, work.kept);
+    visible_draw(&canvas, band, work.kept, (uint32_t)count, &simple_gouraud_textured,
+                 &work.uniforms);
 }
 
 /* The mean difference of the channels of all pixels that either picture shows. */
-static double error_of(void *state, int choice) {
-    const struct work *work = state;
+static double error_of(int choice) {
     double sum = 0, count = 0;
     (void)choice;
     for (size_t i = 0; i < (size_t)SIDE * SIDE; i++) {
-        const uint8_t *a = work->image.pixels + i * IMAGE_BGRA;
-        const uint8_t *b = work->exact.pixels + i * IMAGE_BGRA;
+        const uint8_t *a = work.image.pixels + i * IMAGE_BGRA;
+        const uint8_t *b = work.exact.pixels + i * IMAGE_BGRA;
         for (int k = 0; k < 3; k++) {
             sum += abs(a[k] - b[k]);
         }
         count += (a[0] | a[1] | a[2] | b[0] | b[1] | b[2]) != 0 ? 3 : 0;
     }
-    return work->drawn ? sum / count : (double)INFINITY;
+    return work.drawn ? sum / count : (double)INFINITY;
 }
 
 /* ---- The exact picture ---- */
@@ -103,12 +101,12 @@ struct seen {
 };
 
 /* False where it is not seen from in front. */
-static bool make_face(struct seen *seen, const struct work *work, size_t face) {
+static bool make_face(struct seen *seen, size_t face) {
     for (size_t i = 0; i < 3; i++) {
-        struct vec4 clip = mat4_point(&work->call.to_clip, model_position(&work->model, face, i));
+        struct vec4 clip = mat4_point(&work.call.to_clip, model_position(&work.model, face, i));
         double recip_w = 1 / clip.w, varyings[VALUES];
         struct vec2 screen = {(clip.x * recip_w + 1) * SIDE / 2, (clip.y * recip_w + 1) * SIDE / 2};
-        gouraud_textured_vertex(&work->uniforms, face, i, varyings);
+        gouraud_textured_vertex(&work.uniforms, face, i, varyings);
         for (int k = 0; k < VALUES; k++) {
             seen->value[k][i] = varyings[k];
         }
@@ -124,14 +122,13 @@ static bool make_face(struct seen *seen, const struct work *work, size_t face) {
 }
 
 /* The light of the face at a pixel. */
-static void exact_pixel(struct work *work, const struct seen *face, int x, int y) {
-    const struct texture_level *level =
-        &work->uniforms.diffuse->level[work->uniforms.diffuse_level];
+static void exact_pixel(const struct seen *face, int x, int y) {
+    const struct texture_level *level = &work.uniforms.diffuse->level[work.uniforms.diffuse_level];
     long double at[VALUES];
     for (int k = 0; k < VALUES; k++) {
         at[k] = oracle_interpolate(face->corner, face->recip_w, face->value[k], x, y);
     }
-    uint8_t *pixel = work->exact.pixels + IMAGE_BGRA * ((size_t)y * SIDE + (size_t)x);
+    uint8_t *pixel = work.exact.pixels + IMAGE_BGRA * ((size_t)y * SIDE + (size_t)x);
     struct real3 rgb = real3_bilinear(level, at[0], at[1]);
     pixel[0] = level_from_real(rgb.z * at[INTENSITY]);
     pixel[1] = level_from_real(rgb.y * at[INTENSITY]);
@@ -139,11 +136,11 @@ static void exact_pixel(struct work *work, const struct seen *face, int x, int y
 }
 
 /* Each face over those that are farther. */
-static void draw_exactly(struct work *work) {
-    depth_clear(work->depth, (size_t)SIDE * SIDE);
-    for (size_t i = 0; i < work->model.face_count; i++) {
+static void draw_exactly(void) {
+    depth_clear(work.depth, (size_t)SIDE * SIDE);
+    for (size_t i = 0; i < work.model.face_count; i++) {
         struct seen face;
-        if (!make_face(&face, work, i)) {
+        if (!make_face(&face, i)) {
             continue;
         }
         for (int y = face.edges.y_begin; y < face.edges.y_end; y++) {
@@ -151,9 +148,9 @@ static void draw_exactly(struct work *work) {
             for (int x = span.begin; x < span.end; x++) {
                 struct vec3 w = edges_weights(&face.edges, x, y);
                 double depth = interpolate_depth(w, face.depth[0], face.depth[1], face.depth[2]);
-                if (depth > work->depth[y * SIDE + x]) {
-                    work->depth[y * SIDE + x] = depth;
-                    exact_pixel(work, &face, x, y);
+                if (depth > work.depth[y * SIDE + x]) {
+                    work.depth[y * SIDE + x] = depth;
+                    exact_pixel(&face, x, y);
                 }
             }
         }
@@ -198,9 +195,9 @@ static bool repeat_model(struct model *model, size_t count, struct vec3 offset,
 }
 
 /* The scenes' camera. */
-static bool make_busts(struct work *work, struct error *error) {
+static bool make_busts(struct error *error) {
     static const struct vec3 backwards = {-0.35, -0.1, -0.9};
-    struct model *model = &work->model;
+    struct model *model = &work.model;
     if (!bench_read_model(model, "bust.obj", error) ||
         !repeat_model(model, BUSTS, backwards, error)) {
         return false;
@@ -215,45 +212,25 @@ static bool make_busts(struct work *work, struct error *error) {
     if (drawing.diffuse == NULL || !model_need_normals(model, error)) {
         return false;
     }
-    work->uniforms = make_uniforms(&drawing, SIDE);
-    work->call = pipeline_call(&drawing, grid_cell(SIDE, SIDE, 1, 1, 0, 0), 0.85, CULL_BACK);
+    work.uniforms = make_uniforms(&drawing, SIDE);
+    work.call = pipeline_call(&drawing, grid_cell(SIDE, SIDE, 1, 1, 0, 0), 0.85, CULL_BACK);
     return true;
 }
 
-static bool setup(void *state, struct error *error) {
-    struct work *work = state;
-    const size_t pixels = (size_t)SIDE * SIDE;
-    if (!make_busts(work, error) || !image_create(&work->image, SIDE, SIDE, IMAGE_BGRA, error) ||
-        !image_create(&work->exact, SIDE, SIDE, IMAGE_BGRA, error)) {
+static bool setup(struct error *error) {
+    if (!make_busts(error) || !image_create(&work.image, SIDE, SIDE, IMAGE_BGRA, error) ||
+        !image_create(&work.exact, SIDE, SIDE, IMAGE_BGRA, error)) {
         return false;
     }
     for (size_t i = 0; i < 2; i++) {
-        if (!pipeline_create(&work->pipelines[i], SIDE, SIDE, error)) {
+        if (!pipeline_create(&work.pipelines[i], SIDE, SIDE, error)) {
             return false;
         }
-        pipeline_use_threads(&work->pipelines[i], i + 1);
+        pipeline_use_threads(&work.pipelines[i], i + 1);
     }
-    work->depth = malloc(pixels * sizeof *work->depth);
-    work->nearest = malloc(pixels * sizeof *work->nearest);
-    work->kept = malloc((work->model.face_count + 1) * sizeof *work->kept);
-    if (work->depth == NULL || work->nearest == NULL || work->kept == NULL) {
-        return error_out_of_memory(error);
-    }
-    draw_exactly(work);
+    work.kept = bench_memory(work.model.face_count, sizeof *work.kept);
+    draw_exactly();
     return true;
-}
-
-static void teardown(void *state) {
-    struct work *work = state;
-    for (int i = 0; i < 2; i++) {
-        pipeline_free(&work->pipelines[i]);
-    }
-    image_free(&work->image);
-    image_free(&work->exact);
-    model_free(&work->model);
-    free(work->depth);
-    free(work->nearest);
-    free(work->kept);
 }
 
 /* ---- The panels ---- */
@@ -277,4 +254,4 @@ static const struct bench_panel bench_panels[] = {
 };
 
 const struct bench_lesson bench_step09 =
-    BENCH_LESSON("step09_shaders", "Step 9: shaders", struct work, setup, teardown, bench_panels);
+    BENCH_LESSON("step09_shaders", "Step 9: shaders", setup, bench_panels);

@@ -42,30 +42,30 @@ struct lit_lanes {
     struct color exact[LANES];
 };
 
-struct work {
+static struct {
     struct model bust;
     struct lit lit;
-    struct lit_lanes *lit_lanes;
-    uint32_t *colors;            /* what a version finds for them */
+    struct lit_lanes lit_lanes[SIDE * SIDE / LANES + 1];
+    uint32_t colors[SIDE * SIDE + LANES]; /* what a version finds for them */
     size_t lit_count;            /* pixels; the last lanes may have some that do not count */
     struct model meshes[MESHES]; /* of the sphere, each of four times the triangles */
     struct texture ripples;      /* normal map of the sphere */
     struct uniforms sphere;      /* except for the model */
     struct pipeline pipeline;
     struct image image;
-};
+} work;
 
 /* Draw a model with one thread. False when memory runs out. */
-static bool draw(struct work *work, const struct model *model, struct vec3 eye,
-                 const struct shader *shader, const void *uniforms, size_t size) {
+static bool draw(const struct model *model, struct vec3 eye, const struct shader *shader,
+                 const void *uniforms, size_t size) {
     struct error error;
     struct draw_call call = camera_call(model, eye, (struct vec3){0, 0, 0}, (struct vec3){0, 1, 0},
                                         0.8, (struct rectangle){0, 0, SIDE, SIDE}, CULL_BACK);
-    pipeline_clear(&work->pipeline);
-    memset(work->image.pixels, 0, (size_t)SIDE * SIDE * IMAGE_BGR);
-    pipeline_use_threads(&work->pipeline, 1);
-    return pipeline_draw(&work->pipeline, &call, shader, uniforms, size, &error) &&
-           pipeline_finish(&work->pipeline, &work->image, &error);
+    pipeline_clear(&work.pipeline);
+    memset(work.image.pixels, 0, (size_t)SIDE * SIDE * IMAGE_BGR);
+    pipeline_use_threads(&work.pipeline, 1);
+    return pipeline_draw(&work.pipeline, &call, shader, uniforms, size, &error) &&
+           pipeline_finish(&work.pipeline, &work.image, &error);
 }
 
 /* ---- Phong's formula in long double ---- */
@@ -158,12 +158,12 @@ static inline lanes_texel light_by(enum power_way way, const struct lit *lit,
 
 /* The loop over pixels in each of the ways. */
 #define LIGHT_ALL(name, way)                                                                       \
-    static FLATTEN void name(struct work *work) {                                                  \
-        for (size_t i = 0; i * LANES < work->lit_count; i++) {                                     \
+    static FLATTEN void name(void) {                                                               \
+        for (size_t i = 0; i * LANES < work.lit_count; i++) {                                      \
             lanes varyings[VARYINGS];                                                              \
-            memcpy(varyings, work->lit_lanes[i].at.varyings, sizeof varyings);                     \
-            lanes_texel color = light_by(way, &work->lit, varyings);                               \
-            memcpy(work->colors + i * LANES, &color, sizeof color);                                \
+            memcpy(varyings, work.lit_lanes[i].at.varyings, sizeof varyings);                      \
+            lanes_texel color = light_by(way, &work.lit, varyings);                                \
+            memcpy(work.colors + i * LANES, &color, sizeof color);                                 \
         }                                                                                          \
     }
 
@@ -176,7 +176,7 @@ LIGHT_ALL(light_by_table_1024, TABLE_1024)
 LIGHT_ALL(light_by_schlick, SCHLICK)
 LIGHT_ALL(light_by_short_normal, SHORT_NORMAL)
 
-static void (*const lights[POWERS])(struct work *) = {
+static void (*const lights[POWERS])(void) = {
     [POW] = light_by_pow,
     [REPEATED] = light_by_repeated,
     [SQUARED] = light_by_squared,
@@ -187,25 +187,19 @@ static void (*const lights[POWERS])(struct work *) = {
     [SHORT_NORMAL] = light_by_short_normal,
 };
 
-static void run_power(void *state, int choice) {
-    lights[choice](state);
-}
-
-static double units_power(const void *state, int base) {
-    (void)base;
-    return (double)((const struct work *)state)->lit_count;
+static void run_power(int choice) {
+    lights[choice]();
 }
 
 /* Root of the mean squared error of a channel. */
-static double error_power(void *state, int choice) {
-    struct work *work = state;
+static double error_power(int choice) {
     double sum = 0;
     (void)choice;
-    for (size_t i = 0; i < work->lit_count; i++) {
-        sum += squared_error(color_from_texel(work->colors[i]),
-                             work->lit_lanes[i / LANES].exact[i % LANES]);
+    for (size_t i = 0; i < work.lit_count; i++) {
+        sum += squared_error(color_from_texel(work.colors[i]),
+                             work.lit_lanes[i / LANES].exact[i % LANES]);
     }
-    return sqrt(sum / (double)work->lit_count);
+    return sqrt(sum / (double)work.lit_count);
 }
 
 /* ---- Which pixels these are ---- */
@@ -242,46 +236,42 @@ SHADER(keeping_shader, .varying_count = VARYINGS, .vertex = keeping_vertex,
        .fragment = keeping_fragment);
 
 /* Where the light adds at least a level. */
-static void keep_if_lit(struct work *work, const struct interpolated *call, size_t lane) {
+static void keep_if_lit(const struct interpolated *call, size_t lane) {
     real v[VARYINGS];
     for (int k = 0; k < VARYINGS; k++) {
         v[k] = call->varyings[k][lane];
     }
-    const struct material *material = &work->lit.u.material;
+    const struct material *material = &work.lit.u.material;
     struct real3 normal = real3_unit((struct real3){v[5], v[6], v[7]});
     struct real3 to_eye = {v[0], v[1], v[2]};
     if (exact_shine(material, normal, to_eye) < 1) {
         return;
     }
-    struct lit_lanes *lit = &work->lit_lanes[work->lit_count / LANES];
-    lane = work->lit_count++ % LANES;
+    struct lit_lanes *lit = &work.lit_lanes[work.lit_count / LANES];
+    lane = work.lit_count++ % LANES;
     for (int k = 0; k < VARYINGS; k++) {
         lit->at.varyings[k][lane] = v[k];
     }
     lit->exact[lane] = exact_color(material, normal, to_eye);
 }
 
-static void keep_lit_pixels(struct work *work, const struct kept *kept) {
+static void keep_lit_pixels(const struct kept *kept) {
     for (int i = 0; i < SIDE * SIDE; i++) {
-        struct color c = image_get(&work->image, i % SIDE, i / SIDE);
+        struct color c = image_get(&work.image, i % SIDE, i / SIDE);
         size_t place = (size_t)c.b | (size_t)c.g << 8 | (size_t)c.r << 16;
         if (place > 0) {
-            keep_if_lit(work, &kept->calls[(place - 1) / LANES], (place - 1) % LANES);
+            keep_if_lit(&kept->calls[(place - 1) / LANES], (place - 1) % LANES);
         }
     }
 }
 
-static bool find_highlights(struct work *work, struct error *error) {
+static bool find_highlights(struct error *error) {
     struct kept kept = {.capacity = (size_t)SIDE * (SIDE + CHUNK) / LANES}; /* of a whole picture */
-    struct keeping keeping = {&work->lit.u, &kept};
-    size_t most = (size_t)SIDE * SIDE / LANES + 1;
-    kept.calls = malloc(kept.capacity * sizeof *kept.calls);
-    work->lit_lanes = calloc(most, sizeof *work->lit_lanes);
-    work->colors = malloc(most * LANES * sizeof *work->colors);
-    bool done = kept.calls != NULL && work->lit_lanes != NULL && work->colors != NULL &&
-                draw(work, &work->bust, bust_eye, &keeping_shader, &keeping, sizeof keeping);
+    struct keeping keeping = {&work.lit.u, &kept};
+    kept.calls = bench_memory(kept.capacity, sizeof *kept.calls);
+    bool done = draw(&work.bust, bust_eye, &keeping_shader, &keeping, sizeof keeping);
     if (done) {
-        keep_lit_pixels(work, &kept);
+        keep_lit_pixels(&kept);
     }
     free(kept.calls);
     return done || error_out_of_memory(error);
@@ -347,18 +337,14 @@ static void add_face(struct model *model, size_t a, size_t b, size_t c) {
 
 /* A sphere of radius 1: `rows` rows of twice as many squares, cut in two; triangles at the
  * poles. */
-static bool make_sphere(struct model *model, size_t rows, struct error *error) {
+static void make_sphere(struct model *model, size_t rows) {
     size_t columns = 2 * rows, corners = (rows + 1) * (columns + 1);
     *model =
         (struct model){.position_count = corners, .uv_count = corners, .normal_count = corners};
-    model->positions = calloc(corners, sizeof *model->positions);
-    model->uvs = calloc(corners, sizeof *model->uvs);
-    model->normals = calloc(corners, sizeof *model->normals);
-    model->faces = calloc(2 * rows * columns, sizeof *model->faces);
-    if (model->positions == NULL || model->uvs == NULL || model->normals == NULL ||
-        model->faces == NULL) {
-        return error_out_of_memory(error);
-    }
+    model->positions = bench_memory(corners, sizeof *model->positions);
+    model->uvs = bench_memory(corners, sizeof *model->uvs);
+    model->normals = bench_memory(corners, sizeof *model->normals);
+    model->faces = bench_memory(2 * rows * columns, sizeof *model->faces);
     for (size_t row = 0; row <= rows; row++) {
         for (size_t column = 0; column <= columns; column++) {
             set_corner(model, row * (columns + 1) + column,
@@ -377,7 +363,6 @@ static bool make_sphere(struct model *model, size_t rows, struct error *error) {
             }
         }
     }
-    return true;
 }
 
 /* The versions: a mesh, and where its normals come from. */
@@ -385,11 +370,10 @@ static bool make_sphere(struct model *model, size_t rows, struct error *error) {
 
 static const struct vec3 sphere_eye = {0, 0, 3};
 
-static void run_detail(void *state, int choice) {
-    struct work *work = state;
-    struct uniforms u = work->sphere;
-    u.model = &work->meshes[choice % MESHES];
-    draw(work, u.model, sphere_eye, choice < WITH_MAP ? &plain : &mapped, &u, sizeof u);
+static void run_detail(int choice) {
+    struct uniforms u = work.sphere;
+    u.model = &work.meshes[choice % MESHES];
+    draw(u.model, sphere_eye, choice < WITH_MAP ? &plain : &mapped, &u, sizeof u);
 }
 
 /* Where the ray through the centre of a pixel meets the sphere. The camera of draw() shows what
@@ -406,15 +390,14 @@ static bool hit_sphere(int x, int y, struct real3 *hit) {
 }
 
 /* Over the pixels that the mesh covers; it lies within the sphere. */
-static double error_detail(void *state, int choice) {
-    struct work *work = state;
+static double error_detail(int choice) {
     double sum = 0, pixels = 0;
     (void)choice;
     for (int i = 0; i < SIDE * SIDE; i++) {
         struct real3 hit;
-        struct color color = image_get(&work->image, i % SIDE, i / SIDE);
+        struct color color = image_get(&work.image, i % SIDE, i / SIDE);
         if (color.r > 0 && hit_sphere(i % SIDE, i / SIDE, &hit)) { /* ambient light is everywhere */
-            sum += squared_error(color, exact_color(&work->sphere.material, rippled_normal(hit),
+            sum += squared_error(color, exact_color(&work.sphere.material, rippled_normal(hit),
                                                     real3_sub(real3_from(sphere_eye), hit)));
             pixels++;
         }
@@ -424,53 +407,39 @@ static double error_detail(void *state, int choice) {
 
 /* ---- Setting up ---- */
 
-static bool make_lit(struct work *work, struct error *error) {
-    work->lit.u = (struct uniforms){.model = &work->bust,
-                                    .eye = bust_eye,
-                                    .to_light = vec3_normalized(light),
-                                    .material = plain_material};
-    work->lit.u.material.power = SHARP_POWER;
-    work->lit.tables[0] = attempt_3_make_table(64, SHARP_POWER);
-    work->lit.tables[1] = attempt_3_make_table(257, SHARP_POWER);
-    work->lit.tables[2] = attempt_3_make_table(1024, SHARP_POWER);
-    return bench_read_model(&work->bust, "bust.obj", error) &&
-           model_need_normals(&work->bust, error) && find_highlights(work, error);
+static bool make_lit(struct error *error) {
+    work.lit.u = (struct uniforms){.model = &work.bust,
+                                   .eye = bust_eye,
+                                   .to_light = vec3_normalized(light),
+                                   .material = plain_material};
+    work.lit.u.material.power = SHARP_POWER;
+    work.lit.tables[0] = attempt_3_make_table(64, SHARP_POWER);
+    work.lit.tables[1] = attempt_3_make_table(257, SHARP_POWER);
+    work.lit.tables[2] = attempt_3_make_table(1024, SHARP_POWER);
+    return bench_read_model(&work.bust, "bust.obj", error) &&
+           model_need_normals(&work.bust, error) && find_highlights(error);
 }
 
-static bool make_details(struct work *work, struct error *error) {
-    bool done = make_ripples(&work->ripples, error);
-    for (int i = 0; done && i < MESHES; i++) {
-        done = make_sphere(&work->meshes[i], (size_t)COARSEST_ROWS << i, error);
-    }
-    if (done) {
-        work->sphere =
-            (struct uniforms){.eye = sphere_eye,
-                              .to_light = vec3_normalized(light),
-                              .material = plain_material,
-                              .normal_map = &work->ripples,
-                              .normal_level = texture_wrapped_level(&work->ripples, 0.8 * SIDE)};
-    }
-    return done;
-}
-
-static bool setup(void *state, struct error *error) {
-    struct work *work = state;
-    return image_create(&work->image, SIDE, SIDE, IMAGE_BGR, error) &&
-           pipeline_create(&work->pipeline, SIDE, SIDE, error) && make_lit(work, error) &&
-           make_details(work, error);
-}
-
-static void teardown(void *state) {
-    struct work *work = state;
-    model_free(&work->bust);
-    free(work->lit_lanes);
-    free(work->colors);
+static bool make_details(struct error *error) {
     for (int i = 0; i < MESHES; i++) {
-        model_free(&work->meshes[i]);
+        make_sphere(&work.meshes[i], (size_t)COARSEST_ROWS << i);
     }
-    texture_free(&work->ripples);
-    image_free(&work->image);
-    pipeline_free(&work->pipeline);
+    if (!make_ripples(&work.ripples, error)) {
+        return false;
+    }
+    work.sphere =
+        (struct uniforms){.eye = sphere_eye,
+                          .to_light = vec3_normalized(light),
+                          .material = plain_material,
+                          .normal_map = &work.ripples,
+                          .normal_level = texture_wrapped_level(&work.ripples, 0.8 * SIDE)};
+    return true;
+}
+
+static bool setup(struct error *error) {
+    return image_create(&work.image, SIDE, SIDE, IMAGE_BGR, error) &&
+           pipeline_create(&work.pipeline, SIDE, SIDE, error) && make_lit(error) &&
+           make_details(error);
 }
 
 /* ---- The panels ---- */
@@ -511,7 +480,7 @@ static const struct bench_panel bench_panels[] = {
      .against = "Phong's formula, long double",
      .run = run_power,
      .error = error_power,
-     .units = units_power,
+     .units = &work.lit_count,
      BENCH_VERSIONS(power_versions),
      .series = power_series,
      .house_within = 0.05},
@@ -525,5 +494,5 @@ static const struct bench_panel bench_panels[] = {
      .series = detail_series},
 };
 
-const struct bench_lesson bench_step10 = BENCH_LESSON("step10_phong", "Step 10: Phong's light",
-                                                      struct work, setup, teardown, bench_panels);
+const struct bench_lesson bench_step10 =
+    BENCH_LESSON("step10_phong", "Step 10: Phong's light", setup, bench_panels);

@@ -14,6 +14,7 @@ let version = -1;      // of the program, as built
 let shown = null;      // the last frame: width, height, pixels, milliseconds, counters
 let reference = null;  // the same of the reference: the scene as in the lesson
 let told = null;       // and of their difference, where the program has a picture of it
+let plain = null;      // the same scene without its modes, in their place
 let chosen = {};       // scene, values that differ from the scene's own, text
 let view = "yours";
 let drag = null;
@@ -27,6 +28,16 @@ const isOwn = () => scene().text !== undefined;
 const textOf = () => chosen.text ?? scene().text;
 const valueOf = name => chosen[name] ?? scene()[name] ??
     scene().values?.find(value => value.name === name)?.value;
+
+// Where the help of a value names each of its numbers ("0 flat, 1 smooth"), these names. Such a value,
+// and one of two, is a mode: what it changes is compared with the same scene without it.
+function namesOf({help, least, most}) {
+    const names = help.split(", ").map((part, i) => part.startsWith(`${least + i} `) && part.slice(`${least + i} `.length));
+    return names.length === most - least + 1 && names.every(Boolean) ? names : null;
+}
+const isMode = value => namesOf(value) !== null || value.most - value.least === value.step;
+const modes = () => (scene().values ?? []).filter(isMode);
+const chosenModes = () => modes().filter(({name, value}) => valueOf(name) !== value).map(({name}) => name);
 const isAsInLesson = () => !isOwn() && !scene().extra && Object.keys(chosen).every(name => name === "scene" || name === "all");
 
 // ---- The address keeps what is shown ----
@@ -43,6 +54,10 @@ function readAddress() {
     for (const [name, text] of given) {
         if (name === "view") {
             view = Object.values(views).includes(text) ? text : view;
+        } else if (name === "zoom") {
+            const [size, ...middle] = text.split(",").map(Number);
+            zoom = size >= 1 && size <= 64 ? size : 0;
+            center = middle.length === 2 && middle.every(Number.isFinite) ? middle : null;
         } else if (!(name in chosen) && name !== "text" && Number.isFinite(Number(text))) {
             chosen[name] = Number(text);
         }
@@ -53,7 +68,9 @@ function readAddress() {
 }
 
 function writeAddress() {
-    const kept = Object.entries({...chosen, view: view === "yours" ? undefined : view}).filter(([, value]) => value !== undefined);
+    const looked = {view: view === "yours" ? undefined : view,
+                    zoom: zoom ? [zoom, ...(center ?? []).map(x => Number(x.toFixed(1)))] : undefined};
+    const kept = Object.entries({...chosen, ...looked}).filter(([, value]) => value !== undefined);
     history.replaceState(null, "", "#" + new URLSearchParams(kept.map(([name, value]) => [name, `${value}`])));
 }
 
@@ -61,7 +78,8 @@ function writeAddress() {
 
 const three = v => v.map(x => Number(x.toFixed(4))).join(",");
 
-function request() {
+// The same without some of its numbers, which are as in the lesson then.
+function request(without = []) {
     const {name, width, height, values = []} = scene();
     let words = "--stats" + (chosen.all ? " --no-skip" : "") + (isOwn() ? "" : ` --only ${name}`);
     if (chosen.size) {
@@ -71,7 +89,7 @@ function request() {
         words += chosen[name] ? ` --${name} ${three(chosen[name])}` : "";
     }
     for (const {name} of values) {
-        words += chosen[name] === undefined ? "" : ` --set ${name}=${chosen[name]}`;
+        words += chosen[name] === undefined || without.includes(name) ? "" : ` --set ${name}=${chosen[name]}`;
     }
     words += chosen.frame ? ` --frame ${chosen.frame}` : "";
     if (cursor && colorAt(shown, ...cursor)) {
@@ -116,6 +134,9 @@ async function ask() {
         const slow = setTimeout(() => { $("pixel").textContent = "One moment"; }, 400);
         try {
             const frame = parseFrame(await program.frame(request()));
+            const without = view === "yours" ? [] : chosenModes();
+            const other = without.length > 0 ? parseFrame(await program.frame(request(without))) : null;
+            plain = other?.pixels ? {...other, without} : null;
             if (frame.error) {
                 say(frame.error);
             } else {
@@ -204,14 +225,14 @@ const scale = [[0, 0x00, 0x00, 0x04], [1, 0x3b, 0x0f, 0x70], [5, 0x8c, 0x29, 0x8
 // The difference as make check draws it: the reference, dark, and what differs in red; or the errors
 // in the colours of the scale.
 function compare(errors) {
-    const {width, height, pixels: mine} = shown, right = reference.pixels;
+    const {width, height, pixels: mine} = shown, wanted = right().pixels;
     const pixels = new Uint8ClampedArray(mine.length), counts = scale.map(() => 0);
     for (let i = 0; i < pixels.length; i += 4) {
-        const error = errorAt(mine, right, i), step = scale.findLastIndex(([from]) => error >= from);
+        const error = errorAt(mine, wanted, i), step = scale.findLastIndex(([from]) => error >= from);
         counts[step]++;
         pixels.set(errors ? scale[step].slice(1)
                    : error > 0 ? [255, 0, 0]
-                   : [right[i] / 4, right[i + 1] / 4, right[i + 2] / 4], i);
+                   : [wanted[i] / 4, wanted[i + 1] / 4, wanted[i + 2] / 4], i);
         pixels[i + 3] = 255;
     }
     return {width, height, pixels, counts, count: width * height - counts[0]};
@@ -230,22 +251,24 @@ function wrongOf({pixels}) {
 
 // ---- Painting ----
 
-const sameSize = () => reference && shown && reference.width === shown.width && reference.height === shown.height;
-const isComparable = () => sameSize() && isAsInLesson();
+// With what the picture is compared.
+const right = () => plain ?? reference;
+const sameSize = () => right() && shown && right().width === shown.width && right().height === shown.height;
+const isComparable = () => sameSize() && (plain !== null || isAsInLesson());
 
 let made = {};         // what was last compared, and of what
 
 function compared(view) {
-    if (made.view !== view || made.shown !== shown || made.reference !== reference || made.told !== told) {
-        const frame = view === "difference" && told ? {...told, count: compare(false).count} : compare(view === "errors");
-        made = {view, shown, reference, told, frame, wrong: view === "difference" ? wrongOf(frame) : []};
+    if (made.view !== view || made.shown !== shown || made.right !== right() || made.told !== told) {
+        const frame = view === "difference" && told && !plain ? {...told, count: compare(false).count} : compare(view === "errors");
+        made = {view, shown, right: right(), told, frame, wrong: view === "difference" ? wrongOf(frame) : []};
     }
     return made.frame;
 }
 
 function visible() {
-    if (view === "reference" && reference) {
-        return reference;
+    if (view === "reference" && right()) {
+        return right();
     }
     return (view === "difference" || view === "errors") && isComparable() ? compared(view) : shown;
 }
@@ -257,6 +280,15 @@ function place(frame) {
     return {size, left: canvas.width / 2 - middle[0] * size, top: canvas.height / 2 - middle[1] * size};
 }
 
+// The frame as what can be drawn at any size.
+function drawable(frame) {
+    if (!frame.picture) {
+        frame.picture = new OffscreenCanvas(frame.width, frame.height);
+        frame.picture.getContext("2d").putImageData(new ImageData(frame.pixels, frame.width, frame.height), 0, 0);
+    }
+    return frame.picture;
+}
+
 function paint() {
     const frame = shown && visible();
     if (!frame) {
@@ -265,10 +297,8 @@ function paint() {
     canvas.width = canvas.clientWidth * devicePixelRatio;
     canvas.height = canvas.clientHeight * devicePixelRatio;
     const {size, left, top} = place(frame);
-    const copy = new OffscreenCanvas(frame.width, frame.height);
-    copy.getContext("2d").putImageData(new ImageData(frame.pixels, frame.width, frame.height), 0, 0);
     context.imageSmoothingEnabled = size < 1;
-    context.drawImage(copy, left, top, frame.width * size, frame.height * size);
+    context.drawImage(drawable(frame), left, top, frame.width * size, frame.height * size);
     if (view === "split" && sameSize()) {
         paintSplit(size, left, top);
     }
@@ -283,12 +313,10 @@ function paint() {
     describe(frame);
 }
 
-// The reference, to the right of the cursor.
+// With what it is compared, to the right of the cursor.
 function paintSplit(size, left, top) {
-    const {width, height, pixels} = reference, from = cursor ? Math.max(0, Math.min(width, cursor[0])) : width >> 1;
-    const copy = new OffscreenCanvas(width, height);
-    copy.getContext("2d").putImageData(new ImageData(pixels, width, height), 0, 0);
-    context.drawImage(copy, from, 0, width - from, height, left + from * size, top, (width - from) * size, height * size);
+    const {width, height} = right(), from = cursor ? Math.max(0, Math.min(width, cursor[0])) : width >> 1;
+    context.drawImage(drawable(right()), from, 0, width - from, height, left + from * size, top, (width - from) * size, height * size);
     context.fillStyle = "#fff";
     context.fillRect(left + from * size, top, devicePixelRatio, height * size);
 }
@@ -324,7 +352,7 @@ function paintGrid(frame, size, left, top) {
             context.strokeRect(left + x * size, top + y * size, size, size);
             if (size >= 32 * devicePixelRatio && view !== "difference") {
                 const color = colorAt(frame, x, y), i = 4 * (y * frame.width + x);
-                const numbers = view === "errors" && isComparable() ? [errorAt(shown.pixels, reference.pixels, i)] : color;
+                const numbers = view === "errors" && isComparable() ? [errorAt(shown.pixels, right().pixels, i)] : color;
                 context.fillStyle = color[0] + color[1] + color[2] > 380 ? "#000" : "#fff";
                 numbers.forEach((value, i) =>
                     context.fillText(value, left + (x + .5) * size, top + (y + .32 + .29 * i) * size));
@@ -333,20 +361,24 @@ function paintGrid(frame, size, left, top) {
     }
 }
 
+const otherName = () => plain ? `the same with ${plain.without.join(", ")} as in the lesson` : "the reference";
+
 // The numbers below the picture, and those that were counted.
 function describe(frame) {
     const lines = [`${shown.width}x${shown.height} pixels` +
                    (program.still ? "" : `, ${shown.milliseconds.toFixed(1)} ms`)];
     if (frame.count !== undefined) {
-        lines.push(`${frame.count} pixels differ from the reference`);
-    } else if (reference && !sameSize() && view !== "yours") {
+        lines.push(`${frame.count} pixels differ from ${otherName()}`);
+    } else if (right() && !sameSize() && view !== "yours") {
         lines.push(`the reference has ${reference.width}x${reference.height}`);
+    } else if (plain && view !== "yours") {
+        lines.push(`${view === "split" ? "on the right: " : ""}${otherName()}`);
     } else if (!isAsInLesson() && view !== "yours") {
         lines.push("not as in the lesson, which is the reference");
     }
     if (cursor) {
-        const [x, y] = cursor, mine = colorAt(shown, x, y), right = isComparable() && colorAt(reference, x, y);
-        lines.push(`(${x},${shown.height - 1 - y}) ${mine}` + (right && mine ? `, reference ${right}, error ${errorAt(mine, right, 0)}` : ""));
+        const [x, y] = cursor, mine = colorAt(shown, x, y), wanted = isComparable() && colorAt(right(), x, y);
+        lines.push(`(${x},${shown.height - 1 - y}) ${mine}` + (wanted && mine ? `, ${plain ? "as in the lesson" : "reference"} ${wanted}, error ${errorAt(mine, wanted, 0)}` : ""));
         lines.push(...shown.notes);
     }
     $("pixel").textContent = lines.join("\n");
@@ -440,6 +472,13 @@ function turned(v, right, up) {
             size * Math.cos(most) * Math.cos(longitude + right)];
 }
 
+function moveCamera(away) {
+    const middle = valueOf("center"), sight = minus(valueOf("eye"), middle), size = length(sight);
+    chosen.eye = sight.map((x, i) => x / size * away + middle[i]);
+    chosen.center = middle;
+    changed();
+}
+
 function turn(right, up) {
     if (drag === "light") {
         chosen.light = turned(valueOf("light"), right, up);
@@ -492,11 +531,16 @@ canvas.addEventListener("pointermove", event => {
     if (held?.points.length > 0) {
         held.points.forEach(p => p.move(at[0] - .5, shown.height - .5 - at[1]));
         changed();
-    } else if (held) {
+        return;
+    }
+    if (held) {
         const dx = event.clientX - held.x, dy = event.clientY - held.y;
         held.x = event.clientX;
         held.y = event.clientY;
-        if (!turn(dx / 150, -dy / 150) && zoom) {
+        if (turn(dx / 150, -dy / 150)) {
+            return;
+        }
+        if (zoom) {
             const {size} = place(visible());
             const middle = center ?? [shown.width / 2, shown.height / 2];
             center = [middle[0] - dx * devicePixelRatio / size, middle[1] - dy * devicePixelRatio / size];
@@ -516,7 +560,10 @@ function probeSoon() {
 }
 
 for (const name of ["pointerup", "pointercancel"]) {
-    canvas.addEventListener(name, () => { held = null; });
+    canvas.addEventListener(name, () => {
+        held = null;
+        writeAddress();
+    });
 }
 canvas.addEventListener("pointerleave", () => { cursor = null; paint(); });
 
@@ -528,6 +575,7 @@ function enlarge(by, at) {
     }
     center = at ?? center ?? [shown.width / 2, shown.height / 2];
     zoom = next < 1 || next < fit / 4 ? 0 : Math.min(64, next);
+    writeAddress();
     paint();
 }
 
@@ -549,6 +597,7 @@ function nextWrong() {
         cursor = found;
         center = [found[0] + .5, found[1] + .5];
         zoom = Math.max(zoom, 8);
+        writeAddress();
         paint();
     }
 }
@@ -563,6 +612,9 @@ function chooseView(name) {
     if (shown) {
         writeAddress();
         paint();
+        if (chosenModes().length > 0) {
+            ask();
+        }
     }
 }
 
@@ -582,6 +634,7 @@ canvas.addEventListener("keydown", event => {
             cursor = [Math.max(0, Math.min(shown.width - 1, from[0] + by * arrow[0])),
                       Math.max(0, Math.min(shown.height - 1, from[1] - by * arrow[1]))];
             center = cursor.map(x => x + .5);
+            writeAddress();
             probeSoon();
             paint();
         }
@@ -617,9 +670,48 @@ function buttons(parent, names, current, choose) {
     }));
 }
 
-// Of two values a box to check, of more a slider.
+// The slider that moves by itself, to its end.
+let playing = null;
+
+function play() {
+    if (playing?.isConnected && !asking) {
+        playing.stepUp(Math.ceil((playing.max - playing.min) / playing.step / 100));
+        playing.dispatchEvent(new Event("input"));
+    }
+    if (!playing?.isConnected || Number(playing.value) === Number(playing.max)) {
+        playing = null;
+    } else {
+        setTimeout(play, 40);
+    }
+}
+
+function playButton(input, name) {
+    const button = document.createElement("button");
+    Object.assign(button, {type: "button", textContent: "play", ariaLabel: `play ${name}`});
+    button.addEventListener("click", () => {
+        const now = playing;
+        playing = now === input ? null : input;
+        input.value = Number(input.value) === Number(input.max) ? input.min : input.value;
+        if (!now) {
+            play();
+        }
+    });
+    return button;
+}
+
+// Of two values a box to check, of more a slider, of named ones a button each.
+function tabs(name, names, value, least, change) {
+    const group = document.createElement("div"), label = document.createElement("span"), list = document.createElement("span");
+    label.textContent = `${name} `;
+    group.setAttribute("role", "group");
+    group.ariaLabel = name;
+    buttons(list, names, names[value - least], chosen => change(least + names.indexOf(chosen)));
+    group.append(label, list);
+    return group;
+}
+
 function slider(name, value, least, most, step, change) {
-    const label = document.createElement("label"), input = document.createElement("input");
+    const row = document.createElement("div"), label = document.createElement("label"), input = document.createElement("input");
     const output = document.createElement("output");
     if (most - least === step) {
         Object.assign(input, {type: "checkbox", checked: value === most});
@@ -634,7 +726,9 @@ function slider(name, value, least, most, step, change) {
         change(Number(input.value));
     });
     label.append(`${name} `, output, input);
-    return label;
+    row.className = "slider";
+    row.append(label, playButton(input, name));
+    return row;
 }
 
 // What this scene lets one change.
@@ -643,18 +737,29 @@ function buildControls() {
     const drags = ["picture", light && "light", eye && "camera", (isOwn() || pairs().length > 0) && "points"].filter(Boolean);
     drag = drags.includes(drag) ? drag : drags[drags.length - 1];
     buttons($("drags"), drags, drag, name => { drag = name; });
-    $("views").parentElement.hidden = !program.reference || isOwn() || Boolean(scene().extra);
+    $("views").parentElement.hidden = (!program.reference || isOwn() || Boolean(scene().extra)) && modes().length === 0;
     $("values").replaceChildren($("values").firstElementChild);
-    const add = (name, help, ...range) => $("values").append(slider(help, ...range, value => {
+    const set = name => value => {
         chosen[name] = value;
         changed();
-    }));
+    };
+    const add = (name, help, ...range) => $("values").append(slider(help, ...range, set(name)));
     if (frames > 1) {
         add("frame", "frame", chosen.frame ?? 1, 1, frames, 1);
     }
+    if (eye) {
+        const away = length(minus(eye, scene().center)), step = away / 20;
+        const now = length(minus(valueOf("eye"), valueOf("center")));
+        $("values").append(slider("distance of the camera", steps(now, step), step, 10 * away, step, moveCamera));
+    }
     const dragged = pairs().flat();
     for (const value of values.filter(value => !dragged.includes(value))) {
-        add(value.name, value.help, valueOf(value.name), value.least, value.most, value.step);
+        const {name, help, least, most, step} = value, names = namesOf(value);
+        if (names) {
+            $("values").append(tabs(name, names, valueOf(name), least, set(name)));
+        } else {
+            add(name, help, valueOf(name), least, most, step);
+        }
     }
     $("values").hidden = $("values").children.length === 1;
     $("size").closest("fieldset").hidden = isOwn();
@@ -667,7 +772,7 @@ function buildControls() {
 
 function chooseScene(name) {
     chosen = {scene: name};
-    center = null;
+    center = plain = null;
     point = 0;
     buildControls();
     writeAddress();

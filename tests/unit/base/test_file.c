@@ -347,8 +347,6 @@ static void test_dangling_link(void) {
     CHECK(is_link(link) && place_count(&place) == 2);
     CHECK(file_write(link, "newer", 5, &error) && is_link(link) && place_count(&place) == 2);
     CHECK(file_is(a, "newer"));
-    CHECK(file_is_same(link, a) && !file_is_same(link, "/dev/null"));
-    CHECK(!file_is_same(link, place.directory));
     CHECK(unlink(link) == 0 && symlink("b/c", link) == 0);
     check_not_written(link, ": No such file or directory");
     CHECK(place_count(&place) == 2);

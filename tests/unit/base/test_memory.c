@@ -255,19 +255,6 @@ static bool replace_file(struct error *error) {
     return done;
 }
 
-static bool append_bytes(struct error *error) {
-    struct bytes bytes = {0};
-    bool done = true;
-    for (size_t i = 0; i < 100 && done; i++) {
-        size_t before = bytes.size;
-        done = bytes_append(&bytes, "0123456789", 10);
-        CHECK(done || bytes.size == before);
-    }
-    CHECK(bytes.size == 0 || memcmp(bytes.data, "0123456789", 10) == 0);
-    bytes_free(&bytes);
-    return done || error_set(error, "no bytes");
-}
-
 /* ---- Images ---- */
 
 static bool decode_tga_map(struct error *error) {
@@ -579,7 +566,6 @@ static void test_each_allocation(void) {
         {"file_read of a pipe", read_pipe, 0},
         {"file_write", make_file, 0},
         {"file_write over an old file", replace_file, 0},
-        {"bytes_append", append_bytes, 0},
         {"tga_decode with colour map", decode_tga_map, 0},
         {"tga_encode, ppm_encode, png_encode", encode_all, 0},
         {"png_encode of a large image", encode_large, 0},

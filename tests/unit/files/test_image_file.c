@@ -1,9 +1,11 @@
-/* Tests of common/files/image_file.c: which decoder reads a file, and the table of formats. */
+/* Tests of common/files/image_file.c: which decoder reads a file, and the table of formats;
+ * and of common/files/ppm.c. */
 #define _XOPEN_SOURCE 700 /* POSIX.1-2008 with mkdtemp() */
 
 #include "files/image_file.h"
 
 #include "files/png.h"
+#include "files/ppm.h"
 #include "unit/images.h"
 #include "unit/place.h"
 
@@ -154,4 +156,26 @@ static void test_writers(void) {
     }
 }
 
-UNIT_MAIN(TEST(test_signature_decides), TEST(test_wrong_files), TEST(test_find), TEST(test_writers))
+/* Every byte of a PPM or a PGM: the top row first, red first, without alpha. */
+static void test_ppm(void) {
+    static const struct {
+        enum image_format format;
+        const char *text;
+    } rows[] = {
+        {IMAGE_BGR, "P6\n2 2\n255\nihglkjcbafed"},
+        {IMAGE_BGRA, "P6\n2 2\n255\nkjionmcbagfe"},
+        {IMAGE_GREY, "P5\n2 2\n255\ncdab"},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        uint8_t letters[] = "abcdefghijklmnop";
+        const struct image image = {2, 2, rows[i].format, letters};
+        struct error error;
+        struct bytes file = {0};
+        CHECK(ppm_encode(&image, &file, &error) && bytes_append(&file, "", 1));
+        CHECK_TEXT((const char *)file.data, rows[i].text);
+        bytes_free(&file);
+    }
+}
+
+UNIT_MAIN(TEST(test_signature_decides), TEST(test_wrong_files), TEST(test_find), TEST(test_writers),
+          TEST(test_ppm))

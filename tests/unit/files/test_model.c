@@ -158,11 +158,8 @@ static void test_off(void) {
         /* A number of edges, on the next line too, or none. */
         {"OFF\n3 2\n0\n" THREE "3 0 1 2\n3 0 1 2\n", TRIANGLE " " TRIANGLE},
         {"OFF\n3 1 #\n\n# edges\n5 # 5\n" THREE "3 0 1 2\n", TRIANGLE},
-        {"OFF\n3 1\n3 0 0 0\n1 0 0\n1 1 0\n3 0 1 2\n", TRIANGLE},
         {"OFF\n4 1\n3\n" THREE "0 1 3\n3 0 1 2\n", TRIANGLE}, /* looks like a face */
-        {"OFF\n3 1\n0\n0\n0\n1\n0\n0\n1\n1\n0\n3\n0\n1\n2\n", TRIANGLE},
         {"OFF\n3\n1\n" THREE "3 0 1 2\n", TRIANGLE},
-        {"OFF\n3\n1\n0\n0\n0\n0\n1\n0\n0\n1\n1\n0\n3\n0\n1\n2\n", TRIANGLE},
         {"OFF 3 1 0 0 0 0 1 0 0 1 1 0 3 0 1 2", TRIANGLE},
         {"OFF 3\n1 0 0 0\n0 1 0 0 1\n1 0 3 0\n1 2 0.5 0.5 0.5\n", TRIANGLE},
         {"COFF\n3 1 0\n0 0\n0 255 0 0 255\n1 0 0 0\n51 0\n1 1 0 0 0 255 0\n3 0\n1 2\n", TRIANGLE},
@@ -385,9 +382,6 @@ static void test_messages(void) {
         {"OFF\n1 1 0\n0 0 0\n3 0 0 0\n3 0 0 0\n", "5: the file goes on after 1 faces"},
         {"OFF\n1 1\n0 0 0\n3 0 0 0\n\nend\n", "6: the file goes on after 1 faces"},
         {"OFF 1 2 0 0 0 0 3 0 0 0 3 0 0 0\n", "1: the file ends after 1 of 2 faces"},
-        /* Wrong in a face, and as a number of edges the 0 of the first vertex would fit. */
-        {"OFF\n4 1\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 9\n",
-         "7: face names vertex 9 of 4 (from 0)"},
         {"COFF\n1 1 0\n0 0 0\n3 0 0 0\n", "4: the file ends after 0 of 1 faces"},
         {"COFF\n1 1 0\n0 0 0 1 1\n", "3: the file ends after 0 of 1 vertices"},
         {"OFF 1 1 x\n0 0 0\n3 0 0 0\n", "1: 'x' is not a number of edges"},
@@ -464,37 +458,6 @@ static void test_binary_messages(void) {
         struct error error = {0};
         CHECK(!model_decode(&model, rows[i].bytes, rows[i].size, &error));
         CHECK_ERROR(error, rows[i].message);
-    }
-}
-
-/* What is not asked for is counted and not read, in the quick way and in the careful one, whatever
- * is wrong with it. */
-static void test_parts(void) {
-    static const char *const texts[] = {
-        "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 1\nvt 1 1\nvn 0 0 1\nf 1/1/1 2/2/-1 3/-1/1\n",
-        "v 0 0 0\nv 1 0 \\\n0\nv 0 1 0\nf 1/1/1 2/2/1 3/2/1\nvt 0 1\nvt 1 1\nvn 0 0 1\n",
-        SQUARE "vt what\nf 1/1 2/1 3/9\n",
-        SQUARE "vn 1\nf 1//1 2//-4 3//0\n",
-        SQUARE "l what\nf 1//0 2// 3/0/\n",
-    };
-    for (size_t i = 0; i < 5; i++) {
-        for (unsigned parts = 0; parts <= MODEL_ALL_PARTS; parts++) {
-            bool uvs = (parts & MODEL_UVS) != 0, normals = (parts & MODEL_NORMALS) != 0;
-            bool right = !(i == 2 && uvs) && !(i == 3 && normals);
-            struct model m = {0};
-            struct error error = {0};
-            CHECK_ROW(obj_decode(&m, texts[i], strlen(texts[i]), parts, &error) == right, texts[i]);
-            if (right) {
-                bool has_uv = uvs && i < 2, has_normal = normals && i < 2;
-                CHECK(m.face_count == 1 && m.position_count == (i < 2 ? 3 : 4));
-                CHECK(m.uv_count == (has_uv ? 2 : 0) && m.normal_count == (has_normal ? 1 : 0));
-                CHECK(m.faces[0].corner[1].uv == (has_uv ? 1 : MODEL_NONE));
-                CHECK(m.faces[0].corner[1].normal == (has_normal ? 0 : MODEL_NONE));
-                CHECK(m.warning_line[MODEL_UVS_MISSING] == 0);
-                CHECK(m.warning_line[MODEL_NORMALS_MISSING] == 0);
-            }
-            model_free(&m);
-        }
     }
 }
 
@@ -676,6 +639,6 @@ static void test_other_names(void) {
 
 UNIT_MAIN(TEST(test_obj), TEST(test_obj_numbers), TEST(test_off), TEST(test_off_smallest),
           TEST(test_colors), TEST(test_face_colors), TEST(test_face_color_values),
-          TEST(test_messages), TEST(test_binary_messages), TEST(test_parts), TEST(test_lines),
+          TEST(test_messages), TEST(test_binary_messages), TEST(test_lines),
           TEST(test_refused_files), TEST(test_textures), TEST(test_texture_names),
           TEST(test_other_names))

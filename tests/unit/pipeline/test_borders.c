@@ -140,16 +140,21 @@ static int limit(int value, int least, int most) {
 struct work {
     uint64_t covered; /* pixels */
     uint64_t nearest; /* pixels where the face is nearest so far */
+    uint64_t missed;  /* faces over at most 2 x 2 pixels that cover none of them */
 };
 
 /* One face over what was drawn before it: of equal depths the first stays. */
 static void answer_face(const struct placed *placed, const struct rectangle *v, uint32_t number,
                         size_t width, struct answer *answers, struct work *work) {
     const struct fixed2 *c = placed->corner;
-    int left = limit(first_pixel(c[0].x, c[1].x, c[2].x), v->x, v->x + v->width);
-    int right = limit(last_pixel(c[0].x, c[1].x, c[2].x) + 1, v->x, v->x + v->width);
-    int bottom = limit(first_pixel(c[0].y, c[1].y, c[2].y), v->y, v->y + v->height);
-    int top = limit(last_pixel(c[0].y, c[1].y, c[2].y) + 1, v->y, v->y + v->height);
+    uint64_t covered_before = work->covered;
+    int left = first_pixel(c[0].x, c[1].x, c[2].x), right = last_pixel(c[0].x, c[1].x, c[2].x) + 1;
+    int bottom = first_pixel(c[0].y, c[1].y, c[2].y), top = last_pixel(c[0].y, c[1].y, c[2].y) + 1;
+    bool small = right - left <= 2 && top - bottom <= 2;
+    left = limit(left, v->x, v->x + v->width);
+    right = limit(right, v->x, v->x + v->width);
+    bottom = limit(bottom, v->y, v->y + v->height);
+    top = limit(top, v->y, v->y + v->height);
     for (int y = bottom; y < top; y++) {
         for (int x = left; x < right; x++) {
             struct answer *a = &answers[(size_t)y * width + (size_t)x];
@@ -163,11 +168,12 @@ static void answer_face(const struct placed *placed, const struct rectangle *v, 
             }
         }
     }
+    work->missed += small && work->covered == covered_before;
 }
 
 static struct answer *answer(const struct scene *scene, struct work *work) {
     struct answer *answers = calloc(scene->width * scene->height, sizeof *answers);
-    *work = (struct work){0, 0};
+    *work = (struct work){0};
     for (size_t i = 0; answers != NULL && i < scene->count; i++) {
         const struct part *part = &scene->part[i];
         for (size_t k = 0; k < part->model.face_count; k++) {
@@ -344,9 +350,10 @@ static bool counts_are_right(const struct pipeline *pipeline, const struct scene
            shaded <= (pipeline->skip ? most : least);
 }
 
-/* What is neither seen nor shaded is counted by the reason for it. */
+/* What is neither seen nor shaded is counted by the reason for it; of small faces between centres
+ * it is found before they are drawn. */
 static bool faces_are_counted(const struct pipeline *pipeline, const struct scene *scene,
-                              const struct answer *answers) {
+                              const struct answer *answers, const struct work *work) {
     static bool shown[CALL_LIMIT * FACE_LIMIT + 1];
     const uint64_t *stats = pipeline->stats;
     uint64_t count = 0;
@@ -355,8 +362,10 @@ static bool faces_are_counted(const struct pipeline *pipeline, const struct scen
         count += answers[i].number != 0 && !shown[answers[i].number];
         shown[answers[i].number] = true;
     }
-    return count == stats[STAT_FACES] - stats[STAT_FACES_OUTSIDE] - stats[STAT_FACES_TURNED_AWAY] -
-                        stats[STAT_FACES_WITHOUT_PIXEL] - stats[STAT_FACES_HIDDEN];
+    uint64_t left_out =
+        stats[STAT_FACES_OUTSIDE] + stats[STAT_FACES_TURNED_AWAY] + stats[STAT_FACES_WITHOUT_PIXEL];
+    return count == stats[STAT_FACES] - left_out - stats[STAT_FACES_HIDDEN] &&
+           (stats[STAT_FACES_BEHIND] > 0 || left_out >= work->missed);
 }
 
 /* Draw the scene over what is in the image, and judge it. */
@@ -368,7 +377,7 @@ static void check_frame(struct target *target, const struct scene *scene,
     if (draw_on_top(pipeline, scene, &target->image, &calls)) {
         CHECK(frame_is_right(pipeline, &target->image, answers));
         CHECK(!exact || calls == calls_needed(scene, answers));
-        CHECK(!exact || faces_are_counted(pipeline, scene, answers));
+        CHECK(!exact || faces_are_counted(pipeline, scene, answers, work));
         CHECK(has(scene, culls) || counts_are_right(pipeline, scene, answers, work));
         CHECK((pipeline->depth != NULL) == pipeline->keep_depth);
     }
@@ -706,23 +715,23 @@ static void test_huge_faces(void) {
     }
 }
 
-/* Draw calls without a face, with an empty viewport; a frame without a call. */
+/* Draw calls without a face, with an empty viewport, among others of a face each, in rounds; a
+ * frame without a call. */
 static void test_no_face_at_all(void) {
     static struct scene scene;
     struct random random = {73};
     struct target target;
-    scene.width = 40, scene.height = 50;
-    make_scene(&random, &scene, 5, true);
-    scene.count = 3;
-    part_begin(&scene.part[0], (struct rectangle){0, 0, 40, 50}); /* without faces */
-    part_begin(&scene.part[2], (struct rectangle){7, 7, 0, 0});
-    scene.part[0].shader = scene.part[2].shader = &flat_shader;
-    part_begin(&scene.part[1], (struct rectangle){0, 0, 40, 50});
-    scene.part[1].shader = &number_shader;
-    scene.part[1].first_number = 1;
-    struct placed placed;
-    any_face(&random, &scene, &placed);
-    add_face(&scene.part[1], &placed);
+    scene.width = 40, scene.height = 50, scene.count = 3, scene.faces_a_call = 1;
+    for (size_t i = 0; i < 3; i++) {
+        part_begin(&scene.part[i], (struct rectangle){7, 7, i < 2 ? 30 : 0, i < 2 ? 40 : 0});
+        scene.part[i].shader = &flat_shader;
+        scene.part[i].first_number = 1;
+    }
+    for (int i = 0; i < 40; i++) {
+        struct placed placed;
+        any_face(&random, &scene, &placed);
+        add_face(&scene.part[1], &placed);
+    }
     CHECK(target_create(&target, 40, 50, IMAGE_BGR));
     check_scene(&target, &scene);
     scene.count = 0; /* and a frame without a call */

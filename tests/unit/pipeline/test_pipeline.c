@@ -1,6 +1,5 @@
 /* The pipeline against independent answers: perspective, clipping, what is left out, and how.
  * (Which face shows at which pixel, and each pixel once: test_borders.c.) */
-#include "base/workers.h"
 #include "oracle/oracle.h"
 #include "unit/frames.h"
 #include "unit/images.h"
@@ -95,13 +94,6 @@ static void frame_finish(void) {
     CHECK(pipeline_finish(&target.pipeline, &target.image, &error));
 }
 
-/* The next frame of the same pipeline, on a black image. */
-static void frame_next(void) {
-    pipeline_clear(&target.pipeline);
-    image_clear(&target.image, color_grey(0));
-    faces_drawn = 0;
-}
-
 /* How many pixels show that face, from 1; 0 asks for those without any. */
 static size_t frame_count(size_t face) {
     size_t count = 0;
@@ -148,24 +140,6 @@ static void test_face_past_a_corner(void) {
     draw_alone(&mesh, mat4_identity(), &number_shader, 0);
     CHECK(target.pipeline.stats[STAT_FACES_OUTSIDE] == 1);
     CHECK(target.pipeline.stats[STAT_FACES_CLIPPED] == 0);
-    target_free(&target);
-}
-
-/* A model without positions has no box: it is beyond no side, and nothing of it is seen; nor does
- * it disturb others, which are held against each other by their boxes. */
-static void test_object_without_positions(void) {
-    static struct mesh mesh, seen;
-    draw_alone(&mesh, mat4_identity(), &number_shader, 0);
-    CHECK(frame_count(0) == (size_t)SIZE * SIZE);
-    CHECK(target.pipeline.stats[STAT_CALLS] == 1);
-    CHECK(target.pipeline.stats[STAT_CALLS_OUTSIDE] == 0);
-    make_cover(&seen, 1);
-    frame_next();
-    for (int i = 0; i < 20; i++) {
-        frame_draw(i % 2 == 0 ? &mesh : &seen, place_is_xyw, &number_shader);
-    }
-    frame_finish();
-    CHECK(frame_count(1) == (size_t)SIZE * SIZE);
     target_free(&target);
 }
 
@@ -289,24 +263,6 @@ static lanes_mask place_fragment(const void *uniforms, const lanes *varyings, la
 
 SHADER(place_shader, .varying_count = 3, .vertex = place_vertex, .fragment = place_fragment);
 
-/* The first face has holes everywhere. */
-static lanes_mask hole_fragment(const void *uniforms, const lanes *varyings, lanes_texel *color) {
-    return number_fragment(uniforms, varyings, color) & (varyings[0] > 1.5f);
-}
-
-SHADER(hole_shader, .varying_count = 1, .vertex = number_vertex, .fragment = hole_fragment,
-       .discards = true);
-
-/* A discarded pixel hides nothing, although it was the nearest. */
-static void test_discarded_hides_nothing(void) {
-    static struct mesh mesh;
-    make_cover(&mesh, 1);
-    add_cover(&mesh, 2);
-    draw_alone(&mesh, place_is_xyw, &hole_shader, 0);
-    CHECK(frame_count(2) == (size_t)SIZE * SIZE);
-    target_free(&target);
-}
-
 /* ---- Clipping ---- */
 
 /* Faces that reach behind the eye, in one half of the view: at its right, or at its left. */
@@ -420,16 +376,6 @@ static void test_nearest_w(void) {
             target_free(&target);
         }
     }
-    double nearest = 0; /* 1/w; of a face that goes through the near plane, next to the eye */
-    mesh_begin(&mesh);
-    mesh_face(&mesh, mesh_vertex(&mesh, -1, 0.5, 1), mesh_vertex(&mesh, 1, 0.5, 1),
-              mesh_vertex(&mesh, 0, -0.498, -1));
-    draw_alone(&mesh, place_is_xyw, &number_shader, 0);
-    for (int i = 0; i < SIZE * SIZE; i++) {
-        nearest = fmax(nearest, target.pipeline.depth[i]);
-    }
-    CHECK(nearest > 90 && nearest <= 128 + 1e-9);
-    target_free(&target);
 }
 
 /* A face whose depth z/w is larger than all numbers, at a corner or where it is cut, is left out
@@ -537,28 +483,6 @@ static void test_far_apart(void) {
     target_free(&target);
 }
 
-/* A pipeline that drew without threads gets those that are asked for later. */
-static void test_threads_later(void) {
-    static struct mesh mesh;
-    struct random random = {18};
-    struct workers *three = workers_create(3); /* fewer on a system without threads */
-    make_soup(&mesh, &random);
-    if (frame_begin(0)) {
-        for (size_t threads = 1; threads <= 3; threads += 2) {
-            pipeline_use_threads(&target.pipeline, threads);
-            frame_next();
-            for (int call = 0; call < 20; call++) { /* more than one part */
-                frame_draw(&mesh, mat4_identity(), &number_shader);
-            }
-            frame_finish();
-            CHECK(workers_count(target.pipeline.frame->workers) ==
-                  (threads == 1 ? 1 : workers_count(three)));
-        }
-    }
-    target_free(&target);
-    workers_free(three);
-}
-
 static void test_errors(void) {
     struct error error;
     struct pipeline pipeline;
@@ -570,10 +494,8 @@ static void test_errors(void) {
     pipeline_free(&pipeline);
 }
 
-UNIT_MAIN(TEST(test_face_past_a_corner), TEST(test_object_without_positions),
-          TEST(test_object_too_large_to_judge), TEST(test_each_number_of_varyings),
-          TEST(test_prepared), TEST(test_discarded_hides_nothing), TEST(test_cut_from_both_ends),
+UNIT_MAIN(TEST(test_face_past_a_corner), TEST(test_object_too_large_to_judge),
+          TEST(test_each_number_of_varyings), TEST(test_prepared), TEST(test_cut_from_both_ends),
           TEST(test_nearest_w), TEST(test_depth_overflows), TEST(test_clipped_in_every_block),
           TEST(test_scale_of_clip_space), TEST(test_grid_cell), TEST(test_not_finite),
-          TEST(test_wrapped_level), TEST(test_far_apart), TEST(test_threads_later),
-          TEST(test_errors))
+          TEST(test_wrapped_level), TEST(test_far_apart), TEST(test_errors))

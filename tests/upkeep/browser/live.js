@@ -75,7 +75,7 @@ for (const step of ['step01_line', 'step05_zbuffer', 'step08_projection', 'step1
             const scene = await button.textContent();
             if (fs.existsSync(`${course}/tests/reference/${step}/${scene}.png`)) {
                 await button.click();
-                if (await page.isHidden('#values')) { // an animation's reference is a sheet of frames
+                if (await page.evaluate('scene().frames') === 1) { // an animation's reference is a sheet of frames
                     await has(page, 'pixel', '\n0 pixels differ');
                 }
             }
@@ -133,17 +133,30 @@ async function set(page, name, value) {
         await page.keyboard.press('Space');
         return settled(page);
     }
-    for (const key of value === Number(await slider.getAttribute('max')) ? ['End'] : ['Home']) {
-        await page.keyboard.press(key);
-    }
-    const step = Number(await slider.getAttribute('step'));
-    for (let now = Number(await slider.inputValue()); now < value - step / 2; now += step) {
-        await page.keyboard.press('ArrowRight');
+    const [step, most] = [Number(await slider.getAttribute('step')), Number(await slider.getAttribute('max'))];
+    if (step < most / 300) {
+        await slider.fill(`${value}`);
+    } else {
+        await page.keyboard.press(value === most ? 'End' : 'Home');
+        for (let now = Number(await slider.inputValue()); now < value - step / 2; now += step) {
+            await page.keyboard.press('ArrowRight');
+        }
     }
     assert.ok(Math.abs(Number(await slider.inputValue()) - value) < step / 2, name);
     await settled(page);
 }
 
+/* A number becomes the one that has this name. */
+async function tab(page, name, text) {
+    await page.click(`[role=group][aria-label="${name}"] button:text-is("${text}")`);
+    await settled(page);
+}
+
+const show = async (page, view) => {
+    await page.click(`#views button:text-is("${view}")`);
+    await settled(page);
+};
+const wrongPixels = page => page.evaluate('compared("difference").count');
 const counted = (page, name) => page.evaluate(name => Number(shown.counters.find(c => c[0] === name)[1]), name);
 const colorOf = (page, x, y) => page.evaluate(([x, y]) => colorAt(shown, x, shown.height - 1 - y).join(), [x, y]);
 
@@ -174,11 +187,11 @@ test('corners of two neighbours move together, by mouse and keys, and no pixel i
         assert.deepEqual([await counted(page, 'pixels_too_often'), await counted(page, 'pixels_missing')], [0, 0]);
         await page.click('#reset');
         await set(page, 'orange', 1);
-        await set(page, 'attempt', 4); /* what lies on the common side, twice */
+        await tab(page, 'attempt', 'box in double'); /* what lies on the common side, twice */
         assert.equal(await counted(page, 'pixels_too_often'), 13);
         assert.equal(await colorOf(page, 22, 22), '255,150,0');
         await picture(page, 'counted');
-        await set(page, 'attempt', 5); /* and never, with one on an outer side */
+        await tab(page, 'attempt', 'open sides'); /* and never, with one on an outer side */
         assert.equal(await counted(page, 'pixels_missing'), 18);
         await set(page, 'fraction', 0); /* from a pixel's middle to its upper right corner */
         assert.match(await notes(page, 22, 22), /1: E0 = \+20\.0000, inside/);
@@ -193,14 +206,23 @@ test('the ends of a line are dragged; an attempt, its wrong pixels, and half of 
         await dragTo(page, [80, 40], [83, 90]);
         await set(page, 'red is wrong', 1);
         assert.equal(await counted(page, 'pixels_wrong') + await counted(page, 'pixels_missing'), 0);
-        await set(page, 'attempt', 3); /* a step for every column: a steep line has holes */
+        await tab(page, 'attempt', 'a step for each column'); /* a step for every column: a steep line has holes */
         assert.equal(await counted(page, 'pixels_missing'), 47);
         assert.equal(await colorOf(page, 20, 14), '0,90,255');
         await picture(page, 'attempt');
         await set(page, 'share', 0.5);
         const drawn = await page.evaluate(() => shown.pixels.filter((v, i) => i % 4 === 2 && v > 0).length);
         assert.equal(drawn, 36 + 34 - 1); /* columns 13 to 48, rows 13 to 46; one is on both */
-        assert.match(await notes(page, 48, 60), /at x = 48 the line is at y = 20 \+ 35 \* 70\/70 = 55\.000/);
+        assert.match(await notes(page, 48, 60), /at x = 48 the line is at y = 20 \+ 35 \* 70\/70 = 55\.000, error \+5\.000/);
+        await page.click('#reset');
+        await dragTo(page, [80, 40], [83, 41]); /* with ties: 21 rows in 70 columns */
+        await tab(page, 'attempt', 'by cases');
+        await set(page, 'second end', 1);
+        await show(page, 'difference'); /* from what the lesson's line() draws, from either end */
+        assert.ok(await wrongPixels(page) > 0);
+        await tab(page, 'attempt', 'line()');
+        assert.equal(await wrongPixels(page), 0);
+        await show(page, 'yours');
         await page.focus('#picture');
         await page.keyboard.press('w'); /* there is no reference in which a pixel could be wrong */
         await page.click('#reset');
@@ -220,6 +242,20 @@ test('perspective and its mistake: u, v and w at the cursor, and levels as colou
         const wrong = await numbers();
         assert.ok(wrong[2] === 1 && Math.abs(wrong[0] - u) > 0.1 && v !== wrong[1], `${wrong}`);
         assert.notEqual(await page.evaluate('isAsInLesson()'), true);
+        await show(page, 'split'); /* affine and correct, beside each other */
+        assert.ok((await page.textContent('#pixel')).includes('on the right: the same with affine as in the lesson'));
+        const halves = () => page.evaluate(() => {
+            const {size, left, top} = place(visible());
+            const {data} = context.getImageData(left + 299.5 * size, top + (shown.height - 200.5) * size, 2 * size + 1, 1);
+            return [data.slice(0, 3).join(), data.slice(-4, -1).join(), colorAt(shown, 299, 399).join(), colorAt(plain, 301, 399).join()];
+        });
+        await page.evaluate(() => { zoom = 8; center = [300.5, 399.5]; paint(); }); /* not blurred */
+        await page.mouse.move(...await placeOf(page, 300, 200));
+        await settled(page);
+        const [leftHalf, rightHalf, affine, correct] = await halves();
+        assert.deepEqual([leftHalf, rightHalf], [affine, correct]);
+        await page.evaluate(() => { zoom = 0; });
+        await show(page, 'yours');
         await page.click('#reset');
         await settled(page);
         assert.equal(await colorOf(page, 300, 200), right);
@@ -228,8 +264,13 @@ test('perspective and its mistake: u, v and w at the cursor, and levels as colou
         await set(page, 'its own colour', 1);
         assert.match(await notes(page, 500, 20), /mip level 0\.00/);
         assert.equal(await colorOf(page, 500, 20), '255,255,255');
-        await set(page, '0 nearest', 0);
+        const coarse = await colorOf(page, 10, 420);
+        await tab(page, 'sampler', 'nearest');
         assert.equal(await colorOf(page, 10, 420), '255,255,255'); /* level 0 to the horizon */
+        await set(page, 'finest', 2); /* or level 2, to our feet */
+        assert.deepEqual([await colorOf(page, 10, 420), await colorOf(page, 500, 20)], ['64,192,64', '64,192,64']);
+        await tab(page, 'sampler', 'with mip levels');
+        assert.deepEqual([await colorOf(page, 10, 420), await colorOf(page, 500, 20)], [coarse, '64,192,64']);
         await picture(page, 'levels');
     }));
 
@@ -254,8 +295,15 @@ test('the columns of a matrix are dragged; near plane; a corner through the spac
         const before = await counted(page, 'faces_clipped');
         await set(page, 'of the near plane', 0.125);
         assert.ok(before > 0 && await counted(page, 'faces_clipped') > before);
-        await set(page, 'not cut', 1);
+        await show(page, 'difference');
+        await tab(page, 'attempt', 'divided by any w');
         assert.equal(await counted(page, 'faces_clipped'), 0);
+        assert.ok(await wrongPixels(page) > 1000);
+        await picture(page, 'uncut');
+        const [outside, all] = [await counted(page, 'faces_outside'), await counted(page, 'faces')];
+        await tab(page, 'attempt', 'left out');
+        assert.ok(await counted(page, 'faces_outside') > outside && await counted(page, 'faces_outside') < all);
+        await show(page, 'yours');
         await page.click('button:text-is("wall")');
         await settled(page);
         const row = async () => (await notes(page, 400, 390)).split('\n').slice(-3).map(
@@ -267,8 +315,12 @@ test('the columns of a matrix are dragged; near plane; a corner through the spac
         const beside = () => colorOf(page, 500, 390), right = await beside();
         await set(page, 'mixed without', 1);
         assert.notEqual(await beside(), right);
-        await page.click('button:text-is("split")');
-        assert.ok(await page.evaluate('sameSize() && !isComparable()'), 'the lesson\'s stays beside it');
+        await set(page, 'far end', 4);
+        const [, , affineThere] = await row();
+        await show(page, 'split');
+        assert.ok(await page.evaluate('plain !== null'), 'correct, with the same far end, beside it');
+        assert.notDeepEqual(await page.evaluate('[...plain.pixels]'), await page.evaluate('[...reference.pixels]'));
+        assert.ok(affineThere[0] !== affine);
         await picture(page, 'split');
         await page.reload(); /* the address keeps what is shown */
         await page.waitForFunction(() => shown && view === 'split' && chosen.affine === 1);
@@ -291,24 +343,52 @@ test('ends of segments are dragged before a row of depths; painter, bits', () =>
         assert.equal(await colorOf(page, 60, 100), '255,0,0');
         await dragTo(page, [120.7 - .5, 434 + 140 - .5], [40, 600]); /* green, now also at x = 60 */
         assert.equal(await colorOf(page, 60, 100), '0,255,0');
+        await show(page, 'split');
+        await tab(page, 'attempt', "the painter's order"); /* red and blue cross at 511, and blue is in front everywhere */
+        const colors = await page.evaluate(() => [shown, plain].map(frame =>
+            [500, 580].map(x => colorAt(frame, x, frame.height - 1 - 100).join())));
+        assert.deepEqual(colors, [['0,0,255', '0,0,255'], ['0,0,255', '255,0,0']]);
+        await picture(page, 'painter');
+        await show(page, 'yours');
         await page.click('button:text-is("zbuffer")');
         await settled(page);
         await page.click('button:text-is("difference")');
         await has(page, 'pixel', '\n0 pixels differ');
         assert.ok(await counted(page, 'pixels_hidden') > 0);
         const all = await counted(page, 'pixels_tested');
-        await set(page, 'farthest face', 1);
+        await show(page, 'yours');
+        await tab(page, 'attempt', "the painter's");
         assert.equal(await counted(page, 'pixels_hidden'), 0);
         const apart = await page.evaluate(async () => {
             const {pixels} = await readPicture('reference/zbuffer.png');
             return shown.pixels.filter((v, i) => v !== pixels[i]).length;
         });
         assert.equal(apart, 0); /* seen from the front, no order of these faces is wrong */
+        await page.click('button:text-is("side")');
+        await show(page, 'difference');
+        const wrong = [];
+        for (const attempt of ["the file's order", "the painter's", 'a depth for each face', 'depth buffer']) {
+            await tab(page, 'attempt', attempt);
+            wrong.push(await wrongPixels(page));
+        }
+        assert.deepEqual(wrong, [10808, 12, 12, 0]);
+        await show(page, 'yours');
         await set(page, 'share', 0.5);
         assert.ok(await counted(page, 'pixels_tested') < all);
+        await set(page, 'share', 0.7);
+        const drawn = new Set();
+        for (let i = 0; i < 20; i++) { /* one by one: a step more is at most one face more */
+            await page.keyboard.press('ArrowRight');
+            await settled(page);
+            drawn.add(await counted(page, 'pixels_tested'));
+        }
+        assert.ok(drawn.size > 5);
+        await page.click('[aria-label^="play share"]');
+        await page.waitForFunction(() => chosen.faces === 1 && playing === null, null, {timeout: 60000});
+        await settled(page);
+        assert.ok(await page.evaluate(() => shown.pixels.some(v => v > 100)));
         await page.click('button:text-is("cards")');
         await settled(page);
-
         assert.equal(await colorOf(page, 230, 160), '230,190,40');
         await set(page, 'bits', 4); /* as near as red, which came first */
         assert.equal(await colorOf(page, 230, 160), '220,60,50');
@@ -320,9 +400,9 @@ test('rings of a sphere against the error; steps of toon; a window over the line
         const few = await error();
         await set(page, 'rings', 32);
         assert.ok(await error() < few / 8, 'four times the rings: a sixteenth of the error');
-        await set(page, 'flat', 0);
+        await tab(page, 'look', 'flat');
         assert.ok(await error() > 429 && await error() < 14863 / 3, 'a quarter of what eight rings have');
-        await set(page, 'flat', 2);
+        await tab(page, 'look', 'a normal at each pixel');
         assert.equal(await error(), 0);
     });
     await on('step09_shaders', desktop, '#scene=toon', async page => {
@@ -349,7 +429,34 @@ test('rings of a sphere against the error; steps of toon; a window over the line
         assert.ok(drawn > 0);
         assert.equal(await counted(page, 'lines_drawn'), 0);
     });
+    await on('step04_flat', desktop, '#scene=flat&view=difference', async page => {
+        const wrong = [];
+        for (const attempt of ['not normalized', 'inward', 'absolute', 'a guessed root', 'two', 'face_intensity()']) {
+            await tab(page, 'attempt', attempt);
+            wrong.push(await wrongPixels(page));
+        }
+        assert.ok(wrong.every((count, i) => i === 5 ? count === 0 : i === 4 ? count < 2000 : count > 20000), `${wrong}`);
+    });
+    for (const step of ['step09_shaders', 'step10_phong']) {
+        await on(step, desktop, '#scene=four&view=difference', async page => {
+            const name = step === 'step10_phong' ? 'both' : 'Gouraud textured';
+            const quarter = await page.evaluate(() => colorAt(shown, 600, 600));
+            await tab(page, 'shader', name); /* the one at the lower right, twice as large */
+            const whole = await page.evaluate(() => colorAt(shown, 400, 400));
+            whole.forEach((v, i) => near(v, quarter[i], 40));
+            assert.ok(await wrongPixels(page) > 100000);
+        });
+    }
     await on('step07_gouraud', desktop, '#scene=gouraud', async page => {
+        const dark = () => page.evaluate(() => colorAt(shown, 330, 400)[0]);
+        const before = await dark();
+        await tab(page, 'attempt', 'not clamped');
+        await show(page, 'difference');
+        assert.ok(await wrongPixels(page) > 1000, `${before}`);
+        await tab(page, 'attempt', 'flat');
+        assert.ok(await wrongPixels(page) > 10000);
+        await page.click('#reset');
+        await show(page, 'yours');
         const lit = await counted(page, 'corners_lit');
         await page.check('#all');
         await settled(page);
@@ -358,6 +465,71 @@ test('rings of a sphere against the error; steps of toon; a window over the line
         await has(page, 'pixel', '\n0 pixels differ');
     });
 });
+
+test('the camera comes nearer until it is in the wall; the view and its zoom are in the address', () =>
+    on('step08_projection', desktop, '#scene=projection', async page => {
+        const width = () => page.evaluate(() => {
+            const at = [...Array(800).keys()].filter(x => colorAt(shown, x, 350).join() !== '0,0,0');
+            return at.at(-1) - at[0];
+        });
+        const near = await width();
+        await set(page, 'distance of the camera', 20); /* flatter, and what is before z = 0 is smaller */
+        assert.deepEqual(await page.evaluate('chosen.eye'), [0, 0, 20]);
+        assert.ok(await width() !== near);
+        await page.click('button:text-is("wall")');
+        await settled(page);
+        assert.equal(await counted(page, 'faces_clipped'), 0);
+        await set(page, 'distance of the camera', 1);
+        assert.equal(await counted(page, 'faces_clipped'), 2);
+        await tab(page, 'attempt', 'left out');
+        assert.equal(await counted(page, 'faces_outside'), 2);
+        await page.focus('#picture');
+        for (const key of ['+', '+', '+']) {
+            await page.keyboard.press(key);
+        }
+        const zoomed = await page.evaluate('[zoom, view, chosen.attempt].join()');
+        await page.keyboard.press('d');
+        await settled(page);
+        assert.ok(await wrongPixels(page) > 10000);
+        await page.reload();
+        await page.waitForFunction(() => shown && plain);
+        assert.equal(await page.evaluate('[zoom, view, chosen.attempt].join()'), zoomed.replace('yours', 'difference'));
+        const drags = () => page.locator('#drags button').allTextContents();
+        assert.deepEqual(await drags(), ['picture', 'light', 'camera']);
+        await page.click('button:text-is("house")');
+        assert.deepEqual(await drags(), ['picture', 'points']); /* no light falls on it */
+        await settled(page);
+        await set(page, 'in space', 1);
+        await set(page, 'times y', 0.2);
+        const sketch = (x, y, w) => [(.36 * x + .16 * y + 1) / 4 * 405, (.26 * y + .9 * w + .2) / 4 * 363].map(Math.floor);
+        assert.equal(await colorOf(page, ...sketch(-1.5, 1.8, 1)), '60,60,60'); /* the plane */
+        assert.equal(await colorOf(page, ...sketch(.28, .3 / 1.06, 1)), '96,62,40'); /* the door on it */
+        const roof = await page.evaluate(([x, y]) => [-1, 0, 1].flatMap(i => [-1, 0, 1].map(k => colorAt(shown, x + i, shown.height - 1 - y + k)[0])),
+                                         sketch(.5, 1.35, 1.27)); /* outlined where its w is */
+        assert.ok(roof.includes(255), `${roof}`);
+        await picture(page, 'space');
+    }));
+
+test('the pixel under the cursor is a parallelogram on the texture', () =>
+    on('step06_texture', desktop, '#scene=checker', async page => {
+        const outline = () => page.evaluate(() => {
+            const at = [];
+            for (let i = 0; i < shown.pixels.length; i += 4) {
+                if (shown.pixels[i] === 255 && shown.pixels[i + 1] === 0 && shown.pixels[i + 2] === 255) {
+                    at.push([i / 4 % shown.width, Math.floor(i / 4 / shown.width)]);
+                }
+            }
+            const size = i => Math.max(...at.map(p => p[i])) - Math.min(...at.map(p => p[i]));
+            return at.length > 0 ? size(0) / size(1) : null;
+        });
+        await set(page, 'on the texture', 1);
+        for (const [x, y] of [[500, 500], [500, 200]]) {
+            const said = await notes(page, x, y);
+            const [ru, rv, uu, uv] = said.match(/right \((.*), (.*)\), up \((.*), (.*)\)/).slice(1).map(Number);
+            near(await outline(), (Math.abs(ru) + Math.abs(uu)) / (Math.abs(rv) + Math.abs(uv)), 0.05);
+        }
+        await picture(page, 'footprint');
+    }));
 
 test('n, l and r at the cursor are those of the formula', () =>
     on('step10_phong', desktop, '#scene=four', async page => {

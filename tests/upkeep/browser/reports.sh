@@ -5,6 +5,7 @@
 # not build, with a message that no format likes and that is a page's own script.
 #
 #     tests/upkeep/browser/reports.sh [DIRECTORY]   for reports and screenshots: build/reports
+#     FRAMES=1 tests/upkeep/browser/reports.sh      how long a frame takes, under the mouse
 #
 # Exit status 0: yes; 1: no; 2: skipped, because a tool is missing.
 cd "$(dirname "$0")/../../.." || exit 1
@@ -91,6 +92,14 @@ judge_site() {
     esac
 }
 
+BROWSER=$(command -v chromium || command -v chromium-browser || command -v google-chrome)
+export BROWSER
+if [ -n "${FRAMES:-}" ]; then
+    none=$(npm_missing)
+    make -s build/live programs models && sh tests/teacher/site/site.sh build "$work/site" >/dev/null &&
+        SITE=$work/site node tests/upkeep/browser/frames.js
+    exit
+fi
 status=0
 make_reports || exit 1
 none=$(missing prove xmllint python3)$(npm_missing)
@@ -100,8 +109,6 @@ if [ -n "$none" ]; then
 else
     judge_formats || exit 1
 fi
-BROWSER=$(command -v chromium || command -v chromium-browser || command -v google-chrome)
-export BROWSER
 none=$(missing "${BROWSER:-chromium}" node)$(npm_missing)
 if [ -n "$none" ]; then
     skipped "the pages, without$none" 'chromium nodejs npm'

@@ -165,6 +165,17 @@ test('the keys find a word and open the live page, in the place of the picture',
         await page.screenshot({path: `${pictures}/site_live.png`});
     }));
 
+test('affine and correct stand side by side, which needs no reference', () =>
+    on(onDisk('step08_projection/live.html') + '#scene=wall&affine=1&far=5&view=difference', desktop, async page => {
+        await page.waitForFunction(() => document.querySelector('#pixel').textContent.includes('the same with affine as in the lesson'));
+        assert.ok(await page.evaluate('compared("difference").count') > 1000);
+        assert.ok(await page.isVisible('#views'));
+        await page.click('#scenes button:text-is("lookat")');
+        assert.ok(await page.isVisible('#views'));
+        await page.click('#scenes button:text-is("viewport")'); /* nothing to compare with */
+        assert.ok(await page.isHidden('#views'));
+    }));
+
 test('without scripts the text is there', async () => {
     const context = await browser.newContext({javaScriptEnabled: false});
     const page = await context.newPage();

@@ -2,8 +2,6 @@
 #include "lessons.h"
 #include "stress.h"
 
-#include <stdio.h>
-
 enum { WIDTH = 13, HEIGHT = 11 }; /* of the image that the lines cross */
 enum { LIST_LIMIT = 256 };        /* pixels of a short line */
 
@@ -68,12 +66,6 @@ static void make_short_line(struct random *random, uint64_t index, void *made) {
     *c = index % 2 ? through_image(random, 60)
                    : (struct line_case){{near_image(random, 6), near_image(random, 6)},
                                         {near_image(random, 6), near_image(random, 6)}};
-}
-
-static void print_line(const void *failing) {
-    const struct line_case *c = failing;
-    printf("    size %d %d\n    line %d %d %d %d 255 255 255\n", WIDTH, HEIGHT, c->a.x, c->a.y,
-           c->b.x, c->b.y);
 }
 
 /* ---- Properties ---- */
@@ -175,16 +167,9 @@ static bool cut_is_exact(const void *tried) {
     return told == wanted;
 }
 
-static void print_cut(const void *failing) {
-    const struct cut_case *c = failing;
-    printf("    size %d %d\n    line %d %d %d %d 255 255 255\n", c->width, c->height, c->line.a.x,
-           c->line.a.y, c->line.b.x, c->line.b.y);
-}
-
-static const struct case_kind line_cases = {sizeof(struct line_case), make_line, print_line};
-static const struct case_kind short_line_cases = {sizeof(struct line_case), make_short_line,
-                                                  print_line};
-static const struct case_kind cut_cases = {sizeof(struct cut_case), make_cut, print_cut};
+static const struct case_kind line_cases = {sizeof(struct line_case), make_line};
+static const struct case_kind short_line_cases = {sizeof(struct line_case), make_short_line};
+static const struct case_kind cut_cases = {sizeof(struct cut_case), make_cut};
 
 const struct property line_properties[] = {
     PROPERTY("line: nearest pixels", AGAINST_INTEGERS, 1000000, line_cases, .holds = line_is_exact),

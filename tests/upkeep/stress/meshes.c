@@ -3,7 +3,6 @@
 #include "pipeline.h"
 #include "stress.h"
 
-#include <stdio.h>
 #include <string.h>
 
 enum { SIZE = 24, FACE_LIMIT = 24, POSITION_LIMIT = 3 * FACE_LIMIT };
@@ -123,23 +122,7 @@ static bool same_in_every_order(const void *tried) {
     return same;
 }
 
-static void print_soup(const void *failing) {
-    const struct mesh_case *c = failing;
-    struct world_mesh mesh;
-    build_soup(c->seed, &mesh);
-    printf("    # camera at distance %s, %s\n", c->kind == 0 ? "infinity" : "2.5",
-           c->kind == 2 ? "shaded at once" : "visible only");
-    for (size_t i = 0; i < mesh.model.position_count; i++) {
-        struct vec3 p = mesh.positions[i];
-        printf("    v %.17g %.17g %.17g\n", p.x, p.y, p.z);
-    }
-    for (size_t i = 0; i < mesh.model.face_count; i++) {
-        printf("    f %zu %zu %zu\n", 3 * i + 1, 3 * i + 2, 3 * i + 3);
-    }
-}
-
-static const struct case_kind mesh_in_order_cases = {sizeof(struct mesh_case), make_mesh_case,
-                                                     print_soup};
+static const struct case_kind mesh_in_order_cases = {sizeof(struct mesh_case), make_mesh_case};
 
 const struct property mesh_properties[] = {
     PROPERTY("mesh: same image in every order", AGAINST_ITSELF, 20000, mesh_in_order_cases,

@@ -235,12 +235,11 @@ static bool judge_values(const void *tried, struct tally *tally) {
     return right;
 }
 
-static const struct case_kind whole_cases = {sizeof(struct soup_case), make_whole, soup_print_case};
-static const struct case_kind seen_by_camera_cases = {sizeof(struct soup_case), make_seen_by_camera,
-                                                      soup_print_case};
-static const struct case_kind steep_cases = {sizeof(struct soup_case), make_steep, soup_print_case};
-static const struct case_kind largest_cases = {sizeof(struct soup_case), make_largest,
-                                               soup_print_case};
+static const struct case_kind whole_cases = {sizeof(struct soup_case), make_whole};
+static const struct case_kind seen_by_camera_cases = {sizeof(struct soup_case),
+                                                      make_seen_by_camera};
+static const struct case_kind steep_cases = {sizeof(struct soup_case), make_steep};
+static const struct case_kind largest_cases = {sizeof(struct soup_case), make_largest};
 
 const struct property pipeline_properties[] = {
     PROPERTY("pipeline: the nearest by z/w", AGAINST_FRACTIONS, 15000, whole_cases,

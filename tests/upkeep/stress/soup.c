@@ -4,7 +4,6 @@
 #include "pipeline.h"
 
 #include <math.h>
-#include <stdio.h>
 
 static const long double near_w = 1.0L / 128;
 
@@ -428,25 +427,5 @@ double soup_depth_tolerance(const struct soup *soup, size_t face) {
 /* Some roundings of what is added up; and where a face was cut, what rounding its corners costs. */
 double soup_value_tolerance(const struct soup *soup, const struct soup_hit *hit) {
     double ulp = sizeof(real) == sizeof(float) ? 0x1p-24 : 0x1p-53;
-    return 8 * ulp * hit->value_terms + (soup->kind <= SOUP_STEEP ? 0 : 0x1p-38);
-}
-
-void soup_print_case(const void *failing) {
-    const struct soup_case *c = failing;
-    struct soup soup;
-    soup_make(&soup, c->seed, (enum soup_kind)c->kind);
-    const struct rectangle *v = &soup.viewport;
-    printf("    # image %zux%zu, viewport %dx%d at %d %d\n", soup.width, soup.height, v->width,
-           v->height, v->x, v->y);
-    for (int row = 0; row < 4; row++) {
-        const double *m = soup.to_clip.m[row];
-        printf("    # to clip space: %.17g %.17g %.17g %.17g\n", m[0], m[1], m[2], m[3]);
-    }
-    for (size_t i = 0; i < soup.model.position_count; i++) {
-        struct vec3 p = model_position(&soup.model, i / 3, i % 3);
-        printf("    v %.9g %.9g %.9g # value %.17g\n", p.x, p.y, p.z, soup.value[i]);
-    }
-    for (size_t i = 1; i <= soup.model.face_count; i++) {
-        printf("    f %zu %zu %zu\n", 3 * i - 2, 3 * i - 1, 3 * i);
-    }
+    return 3 * ulp * hit->value_terms + (soup->kind <= SOUP_STEEP ? 0 : 0x1p-38);
 }

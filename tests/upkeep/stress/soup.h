@@ -113,7 +113,4 @@ struct soup_case {
     uint64_t kind; /* enum soup_kind */
 };
 
-/* Print a struct soup_case in the form of an OBJ file, with the rest as comments. */
-void soup_print_case(const void *failing);
-
 #endif

@@ -38,7 +38,6 @@ struct tally {
 struct case_kind {
     size_t size; /* bytes */
     void (*make)(struct random *random, uint64_t index, void *made);
-    void (*print)(const void *failing); /* in a form that a program reads; NULL where none does */
 };
 
 struct property {

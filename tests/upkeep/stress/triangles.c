@@ -2,8 +2,6 @@
 #include "lessons.h"
 #include "stress.h"
 
-#include <stdio.h>
-
 enum { WIDTH = SCREEN_WIDTH, HEIGHT = SCREEN_HEIGHT };
 
 static const int32_t limit = SCREEN_LIMIT * SUBPIXELS;
@@ -100,16 +98,6 @@ static void make_triangle(struct random *random, uint64_t index, void *made) {
     random_triangle(random, index, ((struct triangle_case *)made)->corner);
 }
 
-/* As a text scene of step 3, whose whole coordinates are pixel centres. */
-static void print_triangle(const void *failing) {
-    const struct fixed2 *c = ((const struct triangle_case *)failing)->corner;
-    printf("    size %d %d\n    triangle", WIDTH, HEIGHT);
-    for (int i = 0; i < 3; i++) {
-        printf(" %.8f %.8f", c[i].x / 256.0 - 0.5, c[i].y / 256.0 - 0.5);
-    }
-    printf(" 255 255 255\n");
-}
-
 /* ---- Coverage ---- */
 
 static bool triangle_is_exact(const void *tried) {
@@ -174,8 +162,7 @@ static double weight_error(const void *tried) {
     return worst * 0x1p52;
 }
 
-static const struct case_kind triangle_cases = {sizeof(struct triangle_case), make_triangle,
-                                                print_triangle};
+static const struct case_kind triangle_cases = {sizeof(struct triangle_case), make_triangle};
 
 const struct property triangle_properties[] = {
     PROPERTY("triangle: exact coverage", AGAINST_INTEGERS, 2000000, triangle_cases,

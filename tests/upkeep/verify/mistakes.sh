@@ -2,7 +2,7 @@
 # Draws what the mistakes of each stepNN_name/mistakes.txt draw, and keeps what they look like in
 # tests/lessons/STEP/looks, where the check finds it (tests/check/looks.h says how); and as figure 4 of the
 # lesson's wrong pictures, stepNN_name/figures/wrong_04.png, what the first mistake of that figure
-# draws (tests/check/wrong_figure.h). To be called again after a change of a lesson's main.c, scenes,
+# draws (tests/check/figure_make.c). To be called again after a change of a lesson's main.c, scenes,
 # references or mistakes.txt.
 #
 #   tests/upkeep/verify/mistakes.sh BUILD MAKE [STEP]
