@@ -118,7 +118,9 @@ char *mtl_path(struct word name, const char *directory) {
     char *path =
         name.length == 0 ? NULL : string_format("%s%.*s", directory, length, name.start + quoted);
     for (char *p = path; p != NULL && *p != '\0'; p++) {
-        *p = *p == '\\' ? '/' : *p;
+        if (*p == '\\') {
+            *p = '/';
+        }
     }
     const char *slash = path == NULL ? NULL : strrchr(path, '/');
     if (path == NULL || find_in_any_case(path) || slash == NULL) {
