@@ -172,7 +172,7 @@ LANES_INLINE uint32_t lanes_texel_at(lanes_texel texels, int i) {
     return texel[i];
 }
 
-/* The next lower whole number; of what is beyond 2^22, any. */
+/* The next lower whole number; for what is not beyond 2^22. */
 LANES_INLINE lanes lanes_floor(lanes a) {
 #if LANES_OF_TYPE(REAL) == 16 && defined(__AVX512F__)
     return (lanes)_mm512_floor_ps((__m512)a);

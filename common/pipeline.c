@@ -11,6 +11,7 @@ static void free_all_scratch(struct frame *frame) {
         free(frame->scratch[i].fetched);
         free(frame->scratch[i].visible);
         free(frame->scratch[i].planes);
+        free(frame->scratch[i].before);
     }
     frame->scratch_count = 0;
 }
@@ -37,6 +38,7 @@ static void frame_free(struct frame *frame) {
     free(frame->band_stats);
     free(frame->touched);
     free(frame->last_touched);
+    free(frame->farthest);
     free(frame);
 }
 
@@ -51,10 +53,11 @@ bool pipeline_create(struct pipeline *pipeline, size_t width, size_t height, str
         frame->pipeline = pipeline;
         frame->touched = calloc(band_count(frame) * chunk_columns(frame), sizeof(uint32_t));
         frame->last_touched = calloc(band_count(frame) * chunk_columns(frame), sizeof(uint32_t));
+        frame->farthest = malloc(tile_count(frame) * sizeof *frame->farthest);
         frame->band_stats = calloc(band_count(frame), sizeof *frame->band_stats);
     }
     if (frame == NULL || frame->touched == NULL || frame->last_touched == NULL ||
-        frame->band_stats == NULL) {
+        frame->farthest == NULL || frame->band_stats == NULL) {
         pipeline_free(pipeline);
         return error_out_of_memory(error);
     }
@@ -77,7 +80,6 @@ void pipeline_clear_column(struct column *column, uint32_t touched) {
         }
         place += CHUNK;
     }
-    depth_clear(column->farthest, BAND_TILES);
 }
 
 static void free_columns(struct frame *frame) {
@@ -112,7 +114,9 @@ static bool scratch_reserve(struct scratch *scratch, const struct frame *frame) 
            array_extend(&scratch->visible, &scratch->visible_capacity, count,
                         sizeof *scratch->visible) &&
            array_extend(&scratch->planes, &scratch->plane_capacity, visible,
-                        PLANES_SIZE(VARYING_LIMIT) * sizeof *scratch->planes);
+                        PLANES_SIZE(VARYING_LIMIT) * sizeof *scratch->planes) &&
+           (!frame->discards || array_extend(&scratch->before, &scratch->before_capacity,
+                                             chunk_columns(frame), sizeof *scratch->before));
 }
 
 /* ---- Draw calls ---- */
@@ -231,7 +235,7 @@ static void begin_frame(struct frame *frame, struct pipeline *p, struct image *i
 /* Room for what the threads need to draw bands. */
 static bool reserve_bands(struct frame *frame, struct error *error) {
     size_t threads = workers_count(frame->workers);
-    size_t rows = (frame->kept ? band_count(frame) : threads) + (frame->discards ? threads : 0);
+    size_t rows = frame->kept ? band_count(frame) : threads;
     bool reserved =
         reserve_columns(frame, rows * chunk_columns(frame)) &&
         array_extend(&frame->scratch, &frame->scratch_capacity, threads, sizeof *frame->scratch);

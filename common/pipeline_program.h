@@ -2,7 +2,7 @@
  * What every scene that draws with the pipeline does around pipeline_draw().
  *
  * program.h and pipeline.h know nothing of each other; this header knows both, so that the lessons
- * before step 9 carry no pipeline with them, and a pipeline needs no program. Such a program
+ * before lesson 9 carry no pipeline with them, and a pipeline needs no program. Such a program
  * has PIPELINE_PROGRAM among its fields; each of its draw functions begins with pipeline_begin()
  * and ends with pipeline_end().
  */

@@ -268,7 +268,7 @@ static void warn_of_files(struct command *command) {
     }
 }
 
-/* Say once that the model of the command line may lie out of view, or be hard to see. Who places
+/* Say once that the model of the command line may be out of view, or hard to see. Who places
  * the camera knows. */
 static void suggest_fit(struct command *command, const struct model *model) {
     const struct options *options = &command->options;

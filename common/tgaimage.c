@@ -226,7 +226,7 @@ static bool is_color_depth(unsigned bits) {
     return bits == 15 || bits == 16 || bits == 24 || bits == 32;
 }
 
-/* Is the pixel's depth one that goes with the type? */
+/* Does the type of the file allow so many bits a pixel? */
 static bool check_tga_depth(const struct tga *tga, struct error *error) {
     bool color = tga->type == TGA_TRUE_COLOR;
     bool grey_alpha = tga->type == TGA_GREY && tga->depth == 16;
@@ -365,19 +365,15 @@ static void convert_pixels(struct tga *tga, size_t count, uint8_t *pixels) {
 
 /* Fill `count` pixels with copies of the one before them. */
 static void repeat_pixel(uint8_t *pixels, size_t count, size_t pixel_size) {
-    uint8_t pixel[4] = {0};
-    memcpy(pixel, pixels - pixel_size, pixel_size);
-    for (size_t i = 0; i < count; i++) {
-        for (size_t c = 0; c < pixel_size; c++) {
-            *pixels++ = pixel[c];
-        }
+    for (size_t i = 0; i < count; i++, pixels += pixel_size) {
+        memcpy(pixels, pixels - pixel_size, pixel_size);
     }
 }
 
 enum { BLOCK = 128 }; /* bytes; the longest packets are whole blocks */
 
-/* Copy whole blocks, of which the last may reach past `size` bytes: a packet is short, and how many
- * steps a copy takes cannot be foretold, so the fewer the better. */
+/* Copy whole blocks. The last may reach past `size` bytes: a packet is short, and no processor can
+ * predict how many steps its copy takes, so the fewer the better. */
 static inline void copy_blocks(uint8_t *restrict to, const uint8_t *restrict from, size_t size) {
     for (size_t i = 0; i < size; i += BLOCK) {
         memcpy(to + i, from + i, BLOCK);

@@ -1,6 +1,6 @@
 /*
- * Step 1's earlier versions of line(), from the first idea to the last but one, and two others: one
- * with a case for every kind of line, and one that is faster.
+ * Lesson 1's earlier versions of line(), from the first idea to the last but one, and two more: one
+ * with a case for every kind of line, and a faster one.
  *
  * All have the signature of line() in main.c, so that the figures and the benchmark can loop over
  * them. Attempts 5 to 7 compute in `float` on purpose: with 24 bits one can watch the errors grow.

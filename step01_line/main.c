@@ -1,5 +1,5 @@
 /*
- * Step 1: one pixel, a line, and a line whose colour changes on its way.
+ * Lesson 1: one pixel, a line, and a line whose colour changes on its way.
  *
  * A line between two pixels is walked along the axis on which it is longer, called u here; the
  * other axis is v. Every u between the two ends gets exactly one pixel: the one nearest to the

@@ -1,5 +1,5 @@
 /*
- * Step 1, the given part: its scenes and the program.
+ * Lesson 1, the given part: its scenes and the program.
  *
  * `pixel`; lines by line(): `line`, `octants`, `ties` and `far`; lines by line_list(): `list` and
  * `gradient`; or the lines of a text scene.

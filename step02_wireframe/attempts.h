@@ -1,5 +1,5 @@
 /*
- * Step 2's earlier versions: wireframes that do too much, and a cut that moves pixels.
+ * Lesson 2's earlier versions: wireframes that do too much, and a cut that moves pixels.
  *
  * To be included after main.c, whose struct side, to_pixel() and line() they use. The wireframes of
  * one model have the same pixels in every version; what differs is the work.
@@ -17,8 +17,8 @@
 
 /* ---- Wireframes ---- */
 
-/* The line of step 1: every pixel of the whole line is visited, and image_set() tests whether it is
- * in the image. Wasteful: of a line that reaches far out, almost nothing is seen. */
+/* The line of lesson 1 visits all its pixels, and image_set() tests whether each is in the image.
+ * That is wasteful: almost nothing is seen of a line that reaches far out. */
 static inline void attempt_line_tested(struct image *image, struct pixel a, struct pixel b,
                                        struct color color) {
     struct course course = course_from(a, b);

@@ -1,5 +1,5 @@
 /*
- * Step 2: a model made of lines.
+ * Lesson 2: a model made of lines.
  *
  * A face of a model has three sides. Each becomes a line: x and y of its ends are mapped to the
  * image, and z is ignored. A side that two faces share is drawn once. A line may reach far beyond
@@ -83,7 +83,7 @@ static bool to_pixel(struct vec3 position, size_t width, size_t height, struct p
 /* ---- A line cut to the image ---- */
 
 /* BEGIN SOLUTION 2a.3 a line */
-/* A line as in step 1: u is the axis along which it is longer, v the other one. After k steps along
+/* A line as in lesson 1: u is the axis along which it is longer, v the other. After k steps along
  * u (0 <= k <= run) it has moved by floor((2 * k * rise + run - 1) / (2 * run)) along v: k * rise /
  * run to the nearest whole number, halves down. */
 struct course {

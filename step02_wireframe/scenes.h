@@ -1,5 +1,5 @@
 /*
- * Step 2, the given part: its scenes and the program.
+ * Lesson 2, the given part: its scenes and the program.
  *
  * `square` draws the sides of two faces, `points` the positions of a model as pixels, and
  * `wireframe` its sides, white on black. `border` draws a quarter of its faces and `enlarged` the
@@ -328,8 +328,8 @@ static bool draw_bar(struct image *image, int index, const struct cut_line *l, s
     return true;
 }
 
-/* For each of these lines; at the bottom for one in a wide image, and for the longest that there
- * may be: it comes so near to the lower left pixel that a double takes it for one that comes in
+/* A bar for each of these lines. The lowest two are for a line in a wide image and for the longest
+ * line allowed, which passes so near to the lower left pixel that with a double it would come in
  * there. */
 static bool draw_walked(struct drawing *drawing, struct image *image, struct error *error) {
     (void)drawing;

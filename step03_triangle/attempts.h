@@ -1,5 +1,5 @@
 /*
- * Step 3: worse ways to fill a triangle. All take corners in pixels (continuous positions on the
+ * Lesson 3: worse ways to fill a triangle. All take corners in pixels (continuous positions on the
  * screen: the centre of pixel (x,y) is (x + 0.5, y + 0.5)) and cut the triangle to the image.
  */
 #ifndef STEP03_ATTEMPTS_H

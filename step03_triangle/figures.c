@@ -1,4 +1,4 @@
-/* The pictures of step 3's README that are not references. */
+/* The pictures of lesson 3's README that are not references. */
 #include "../tests/bench/figures.h"
 
 #define LESSON "../step03_triangle/main.c"
@@ -38,14 +38,12 @@ static void draw_bust_by(attempt_function *draw, const struct model *model, stru
 
 /* Which of the three edge functions are positive (red, green, blue: edges 0, 1, 2); inside all
  * three the pixel is white. */
-static bool draw_half_planes(const char *directory, struct error *error) {
+static void draw_half_planes(void) {
     struct image image;
     struct edges edges = {0};
     const struct fixed2 a = {5 * 256 / 2, 5 * 256 / 2}, b = {43 * 256 / 2, 9 * 256 / 2};
     const struct fixed2 c = {17 * 256 / 2, 33 * 256 / 2};
-    if (!image_create(&image, 24, 19, IMAGE_BGR, error)) {
-        return false;
-    }
+    image = figure_image(24, 19);
     triangle_setup(&edges, a, b, c, image.width, image.height);
     for (int y = 0; y < (int)image.height; y++) {
         for (int x = 0; x < (int)image.width; x++) {
@@ -57,10 +55,7 @@ static bool draw_half_planes(const char *directory, struct error *error) {
             image_set(&image, x, y, color_rgb(level[0], level[1], level[2]));
         }
     }
-    bool done = figure_save_detail(&image, detail_of_whole(&image, 20, GRID), directory,
-                                   "half_planes", error);
-    image_free(&image);
-    return done;
+    figure_save_detail(&image, detail_of_whole(&image, 20, GRID), "half_planes");
 }
 
 /* The eye of the bust, enlarged. */
@@ -79,22 +74,16 @@ static void show_wrong(struct image *wrong, const struct image *right) {
 }
 
 /* The eye by the whole-number sweep, and which of its pixels are wrong. */
-static bool draw_sweep(const struct model *bust, const char *directory, struct error *error) {
-    struct image sweep = {0}, right = {0};
-    bool done = image_create(&sweep, 800, 800, IMAGE_BGR, error) &&
-                image_create(&right, 800, 800, IMAGE_BGR, error);
-    if (done) {
-        draw_bust_by(attempt_1_sweep_whole, bust, &sweep);
-        draw_bust_by(draw_spans, bust, &right);
-        done = figure_save_detail(&sweep, eye, directory, "sweep", error);
-        show_wrong(&sweep, &right);
-        done = done && figure_save_detail(&sweep, eye, directory, "sweep_wrong", error);
-    }
-    image_free(&sweep);
-    image_free(&right);
-    return done;
+static void draw_sweep(const struct model *bust) {
+    struct image sweep = figure_image(800, 800), right = figure_image(800, 800);
+    draw_bust_by(attempt_1_sweep_whole, bust, &sweep);
+    draw_bust_by(draw_spans, bust, &right);
+    figure_save_detail(&sweep, eye, "sweep");
+    show_wrong(&sweep, &right);
+    figure_save_detail(&sweep, eye, "sweep_wrong");
 }
 
-bool draw_figures(const char *directory, struct model *bust, struct error *error) {
-    return draw_half_planes(directory, error) && draw_sweep(bust, directory, error);
+void draw_figures(struct model *bust) {
+    draw_half_planes();
+    draw_sweep(bust);
 }

@@ -1,5 +1,5 @@
 /*
- * Step 3: filled triangles.
+ * Lesson 3: filled triangles.
  *
  * A point is in a triangle when it is on the inner side of all three edges. Part a asks this of
  * every pixel around the triangle, in floating point. Part b does it exactly: it snaps the corners

@@ -1,5 +1,5 @@
 /*
- * Step 3, the given part: its scenes and the program.
+ * Lesson 3, the given part: its scenes and the program.
  *
  * Part a: `outline` draws the edges of three triangles, `leaving` those of triangles that leave the
  * image; `signs` fills triangles by three signs, and `bust` the faces of a model, each in a colour
@@ -420,11 +420,16 @@ static uint64_t fill_shape(const struct drawing *drawing, struct image *image,
     return 0;
 }
 
-/* What the three edges say of the probed pixel: the lesson's own ones. */
+/* What the three edges say of the probed pixel: part b's, or before it is written, part a's. */
 static void note_edges(struct drawing *drawing, const struct image *image,
-                       const struct fixed2 corner[3], size_t number) {
+                       const struct vec2 screen[3], const struct fixed2 corner[3], size_t number) {
     struct edges edges;
     if (!triangle_setup(&edges, corner[0], corner[1], corner[2], image->width, image->height)) {
+        const struct vec2 center = {drawing->probe.x + 0.5, drawing->probe.y + 0.5};
+        for (int i = 0; i < 3; i++) {
+            drawing_note(drawing, "triangle %zu: E%d = %+.4f", number, i,
+                         side_of(screen[(i + 1) % 3], screen[(i + 2) % 3], center));
+        }
         return;
     }
     for (int i = 0; i < 3; i++) {
@@ -484,7 +489,7 @@ static bool draw_text(struct drawing *drawing, struct image *image, struct error
             count_shape(image, corner, (uint8_t)(90 + 50 * (i % 4)), counted);
         }
         if (drawing->probed) {
-            note_edges(drawing, image, corner, i + 1);
+            note_edges(drawing, image, screen, corner, i + 1);
         }
     }
     if (drawing_value(drawing, "attempt") == 0) {

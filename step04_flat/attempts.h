@@ -1,5 +1,5 @@
 /*
- * Step 4: worse ways to find the intensity of a face. All take the three corners of a face
+ * Lesson 4: worse ways to find the intensity of a face. All take the three corners of a face
  * (counterclockwise as seen from outside) and the direction to the light, of length 1. They return
  * what face_intensity() of main.c returns, or nearly.
  */

@@ -1,4 +1,4 @@
-/* The pictures of step 4's README that are not references. */
+/* The pictures of lesson 4's README that are not references. */
 #include "../tests/bench/figures.h"
 
 #define LESSON "../step04_flat/main.c"
@@ -40,22 +40,21 @@ static double intensity_of_area(struct vec3 w0, struct vec3 w1, struct vec3 w2,
     return 100 * attempt_1_not_normalized(w0, w1, w2, to_light);
 }
 
-static bool draw_not_normalized(const struct model *model, const char *directory,
-                                struct error *error) {
+static void draw_not_normalized(const struct model *model) {
     static intensity_function *const shown[2] = {attempt_1_not_normalized, intensity_of_area};
     struct sheet sheet = {.width = 400, .height = 400, .columns = 2, .rows = 1, .gap = 4};
-    bool done = sheet_create(&sheet, error);
-    for (int i = 0; done && i < 2; i++) {
+    sheet_create(&sheet);
+    for (int i = 0; i < 2; i++) {
         draw_with(model, shown[i], &sheet.panel);
         sheet_add(&sheet);
     }
-    return sheet_end(&sheet, done, directory, "not_normalized", error);
+    figure_save(&sheet.image, "not_normalized");
 }
 
-/* Paint magenta what shows a face although another lies before it there. The nearest face of each
- * pixel is found with a depth for every pixel: that is lesson 5. */
-static void mark_faults(const struct model *model, struct image *image, double *nearest,
-                        double *shown) {
+/* Paint a pixel magenta where it shows a face although another is nearer. A depth for every pixel,
+ * as in lesson 5, finds the nearest one. */
+static void mark_faults(const struct model *model, struct image *image) {
+    static double nearest[800 * 800], shown[800 * 800];
     size_t pixel_count = image->width * image->height;
     for (size_t i = 0; i < pixel_count; i++) {
         nearest[i] = shown[i] = -INFINITY;
@@ -91,31 +90,17 @@ static void mark_faults(const struct model *model, struct image *image, double *
 }
 
 /* What is still wrong: parts that lie behind others are painted over them. */
-static bool draw_faults(const struct model *model, const char *directory, struct error *error) {
+static void draw_faults(const struct model *model) {
     const struct detail ear = {490, 420, 110, 160, .zoom = 4};
     const struct detail head = {190, 200, 420, 600, .zoom = 1};
-    struct image image = {0};
-    double *nearest = malloc(800 * 800 * sizeof *nearest);
-    double *shown = malloc(800 * 800 * sizeof *shown);
-    bool done = nearest != NULL && shown != NULL;
-    if (!done) {
-        error_out_of_memory(error);
-    }
-    done = done && image_create(&image, 800, 800, IMAGE_BGR, error);
-    if (done) {
-        draw_with(model, intensity_of_main, &image);
-        done = figure_save_detail(&image, ear, directory, "detail_ear", error);
-    }
-    if (done) {
-        mark_faults(model, &image, nearest, shown);
-        done = figure_save_detail(&image, head, directory, "faults", error);
-    }
-    free(nearest);
-    free(shown);
-    image_free(&image);
-    return done;
+    struct image image = figure_image(800, 800);
+    draw_with(model, intensity_of_main, &image);
+    figure_save_detail(&image, ear, "detail_ear");
+    mark_faults(model, &image);
+    figure_save_detail(&image, head, "faults");
 }
 
-bool draw_figures(const char *directory, struct model *bust, struct error *error) {
-    return draw_not_normalized(bust, directory, error) && draw_faults(bust, directory, error);
+void draw_figures(struct model *bust) {
+    draw_not_normalized(bust);
+    draw_faults(bust);
 }

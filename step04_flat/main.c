@@ -1,5 +1,5 @@
 /*
- * Step 4: flat shading.
+ * Lesson 4: flat shading.
  *
  * Every face gets one grey: how directly the light falls on it. The face's direction is its
  * normal, a cross product; how directly the light falls is a dot product of two unit vectors.
@@ -33,7 +33,7 @@ static bool place_face(const struct model *model, size_t face, const struct imag
 
 /* ---- Triangles ---- */
 
-/* The triangle of step 3: one span a row. */
+/* The triangle of lesson 3: one span a row. */
 static void triangle(struct image *image, const struct vertex v[3], struct color color) {
     /* BEGIN SOLUTION 4.2 a triangle from spans */
     struct edges edges;

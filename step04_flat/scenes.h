@@ -1,5 +1,5 @@
 /*
- * Step 4, the given part: its scenes and the program.
+ * Lesson 4, the given part: its scenes and the program.
  *
  * `flat` draws a model from the front, in the order of the file; `side` does the same with a light
  * that comes from the left and from above, in an image that is not square, and has more faces:

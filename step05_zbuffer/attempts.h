@@ -1,6 +1,6 @@
 /*
- * Step 5: worse ways to decide what is seen, and depth buffers of fewer bits. Include main.c first:
- * struct vertex comes from there.
+ * Lesson 5: worse ways to decide what is seen, and depth buffers of fewer bits. Include main.c
+ * first: struct vertex comes from there.
  *
  * Depths lie in -1..1, larger is nearer. All pictures are drawn from a list of triangles, so that
  * their order can be chosen. A buffer is memory for 4 bytes a pixel, from malloc.

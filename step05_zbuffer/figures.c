@@ -1,4 +1,4 @@
-/* The pictures of step 5's README that are not references, and the numbers of its tables. */
+/* The pictures of lesson 5's README that are not references, and the numbers of its tables. */
 #include "../tests/bench/figures.h"
 
 #define LESSON "../step05_zbuffer/main.c"
@@ -25,36 +25,29 @@ struct view {
 };
 
 /* The lit faces of the model, as draw_zbuffer() draws them. */
-static bool list_from_model(struct list *list, const struct view *view, const struct image *image,
-                            struct error *error) {
+static struct list list_from_model(const struct view *view, const struct image *image) {
     const struct model *model = view->model;
     const struct vec3 light = vec3_normalized(view->light);
-    *list = (struct list){.items = malloc(model->face_count * sizeof *list->items)};
-    if (list->items == NULL) {
-        return error_out_of_memory(error);
-    }
+    struct list list = {.items = figure_memory(model->face_count, sizeof *list.items)};
     for (size_t face = 0; face < model->face_count; face++) {
-        struct drawn *d = &list->items[list->count];
+        struct drawn *d = &list.items[list.count];
         double intensity = model_face_intensity(model, face, light);
         if (!(intensity > 0) || !place_face(model, face, image, d->v)) {
             continue;
         }
-        list->count++;
+        list.count++;
         d->color = color_grey(level_from(intensity * 255));
     }
-    return true;
+    return list;
 }
 
-static void list_free(struct list *list) {
-    free(list->items);
-    *list = (struct list){0};
-}
+/* A depth for each pixel, or the painter's list, which is shorter. */
+static void *memory;
 
 /* What main.c draws: the depth in double. */
-static void draw_right(struct image *image, const struct drawn *items, size_t count,
-                       double *depth) {
-    struct canvas canvas = {.image = image, .depth = depth};
-    depth_clear(depth, image->width * image->height);
+static void draw_right(struct image *image, const struct drawn *items, size_t count) {
+    struct canvas canvas = {.image = image, .depth = memory};
+    depth_clear(memory, image->width * image->height);
     for (size_t i = 0; i < count; i++) {
         triangle(&canvas, items[i].v, items[i].color);
     }
@@ -85,25 +78,20 @@ enum { VERSIONS = sizeof versions / sizeof versions[0] };
 
 /* ---- What lesson 4 draws ---- */
 
-static bool draw_painted_over(const struct view *views, size_t view_count, const char *directory,
-                              struct error *error) {
+static void draw_painted_over(const struct view *views, size_t view_count) {
     struct sheet sheet = {.width = 400,
                           .height = 400,
                           .columns = view_count,
                           .rows = 1,
                           .gap = 8,
                           .format = IMAGE_GREY};
-    bool done = sheet_create(&sheet, error);
-    for (size_t i = 0; done && i < view_count; i++) {
-        struct list list = {0};
-        done = list_from_model(&list, &views[i], &sheet.panel, error);
-        if (done) {
-            attempt_1_file_order(&sheet.panel, list.items, list.count);
-            sheet_add(&sheet);
-        }
-        list_free(&list);
+    sheet_create(&sheet);
+    for (size_t i = 0; i < view_count; i++) {
+        struct list list = list_from_model(&views[i], &sheet.panel);
+        attempt_1_file_order(&sheet.panel, list.items, list.count);
+        sheet_add(&sheet);
     }
-    return sheet_end(&sheet, done, directory, "painted_over", error);
+    figure_save(&sheet.image, "painted_over");
 }
 
 /* ---- Three bars in a circle ---- */
@@ -159,35 +147,19 @@ static void make_floor(struct drawn list[FLOOR_COUNT]) {
 enum { LARGE_WIDTH = 260, LARGE_HEIGHT = 250 };
 
 /* From left to right: with a depth buffer, by the painter, by mean depth. */
-static bool draw_large(const char *name, const struct drawn *list, size_t count,
-                       const char *directory, double *depth, void *buffer, struct error *error) {
+static void draw_large(const char *name, const struct drawn *list, size_t count) {
     struct sheet sheet = {.width = LARGE_WIDTH, .height = LARGE_HEIGHT, .columns = 3, .rows = 1};
-    struct image right = {0};
-    bool done = sheet_create(&sheet, error) &&
-                image_create(&right, sheet.width, sheet.height, IMAGE_BGR, error);
-    if (done) {
-        draw_right(&right, list, count, depth);
-        sheet_add_detail(&sheet, &right, detail_of_whole(&right, 1, 0));
-        for (int i = 0; i < VERSIONS; i++) {
-            versions[i].draw(&sheet.panel, list, count, buffer);
-            printf("%-6s %-28s %6zu pixels wrong\n", name, versions[i].name,
-                   different_pixels(&right, &sheet.panel));
-            sheet_add(&sheet);
-        }
-        done = figure_save(&sheet.image, directory, name, error);
+    struct image right = figure_image(sheet.width, sheet.height);
+    sheet_create(&sheet);
+    draw_right(&right, list, count);
+    sheet_add_detail(&sheet, &right, detail_of_whole(&right, 1, 0));
+    for (int i = 0; i < VERSIONS; i++) {
+        versions[i].draw(&sheet.panel, list, count, memory);
+        printf("%-6s %-28s %6zu pixels wrong\n", name, versions[i].name,
+               different_pixels(&right, &sheet.panel));
+        sheet_add(&sheet);
     }
-    image_free(&right);
-    sheet_free(&sheet);
-    return done;
-}
-
-static bool draw_circle_and_floor(const char *directory, double *depth, void *buffer,
-                                  struct error *error) {
-    struct drawn bars[3], floor_list[FLOOR_COUNT];
-    make_circle(bars);
-    make_floor(floor_list);
-    return draw_large("circle", bars, 3, directory, depth, buffer, error) &&
-           draw_large("floor", floor_list, FLOOR_COUNT, directory, depth, buffer, error);
+    figure_save(&sheet.image, name);
 }
 
 /* ---- Two sheets close to each other ---- */
@@ -209,54 +181,41 @@ static void make_sheets(struct drawn list[4]) {
     list[3] = (struct drawn){{front[0], front[2], front[3]}, orange};
 }
 
-static bool draw_sheets(const char *directory, double *depth, void *buffer, struct error *error) {
+static void draw_sheets(void) {
     struct sheet sheet = {.width = SHEETS_WIDTH,
                           .height = SHEETS_HEIGHT,
                           .columns = 1,
                           .rows = ATTEMPT_BUFFERS + 1,
                           .gap = 6};
     struct drawn list[4];
-    struct image right = {0};
-    bool done = sheet_create(&sheet, error) &&
-                image_create(&right, SHEETS_WIDTH, SHEETS_HEIGHT, IMAGE_BGR, error);
+    struct image right = figure_image(SHEETS_WIDTH, SHEETS_HEIGHT);
+    sheet_create(&sheet);
     make_sheets(list);
-    if (done) {
-        image_clear(&right, list[2].color); /* the orange sheet is nowhere behind the blue one */
-        for (int i = 0; i <= ATTEMPT_BUFFERS; i++) {
-            const char *name = "double (main.c)";
-            if (i < ATTEMPT_BUFFERS) {
-                name = attempt_buffers[i].name;
-                attempt_draw_with(&attempt_buffers[i], &sheet.panel, list, 4, buffer);
-            } else {
-                draw_right(&sheet.panel, list, 4, depth);
-            }
-            printf("sheets %-28s %6zu pixels wrong\n", name,
-                   different_pixels(&sheet.panel, &right));
-            sheet_add(&sheet);
+    image_clear(&right, list[2].color); /* the orange sheet is nowhere behind the blue one */
+    for (int i = 0; i <= ATTEMPT_BUFFERS; i++) {
+        const char *name = "double (main.c)";
+        if (i < ATTEMPT_BUFFERS) {
+            name = attempt_buffers[i].name;
+            attempt_draw_with(&attempt_buffers[i], &sheet.panel, list, 4, memory);
+        } else {
+            draw_right(&sheet.panel, list, 4);
         }
-        done = figure_save(&sheet.image, directory, "sheets", error);
+        printf("sheets %-28s %6zu pixels wrong\n", name, different_pixels(&sheet.panel, &right));
+        sheet_add(&sheet);
     }
-    image_free(&right);
-    sheet_free(&sheet);
-    return done;
+    figure_save(&sheet.image, "sheets");
 }
 
-bool draw_figures(const char *directory, struct model *bust, struct error *error) {
-    struct model knot = {0};
-    if (!model_read(&knot, COURSE_BUILD "/models/knot.off", error)) {
-        return false;
-    }
+void draw_figures(struct model *bust) {
+    struct model knot;
+    struct drawn bars[3], floor_list[FLOOR_COUNT];
+    figure_need(model_read(&knot, COURSE_BUILD "/models/knot.off", &figure_error));
     const struct view views[] = {{&knot, {0, 0, -1}}, {bust, {1, 0, -1}}};
-    /* The buffer holds 4 bytes a pixel, or the painter's list, which is shorter. */
-    double *depth = malloc(SHEETS_WIDTH * LARGE_HEIGHT * sizeof *depth);
-    void *buffer = malloc(SHEETS_WIDTH * LARGE_HEIGHT * sizeof(uint32_t));
-    bool done = depth != NULL && buffer != NULL;
-    done = done ? draw_painted_over(views, 2, directory, error) &&
-                      draw_circle_and_floor(directory, depth, buffer, error) &&
-                      draw_sheets(directory, depth, buffer, error)
-                : error_out_of_memory(error);
-    free(depth);
-    free(buffer);
-    model_free(&knot);
-    return done;
+    memory = figure_memory(SHEETS_WIDTH * LARGE_HEIGHT, sizeof(double));
+    make_circle(bars);
+    make_floor(floor_list);
+    draw_painted_over(views, 2);
+    draw_large("circle", bars, 3);
+    draw_large("floor", floor_list, FLOOR_COUNT);
+    draw_sheets();
 }

@@ -1,5 +1,5 @@
 /*
- * Step 5: the depth buffer.
+ * Lesson 5: the depth buffer.
  *
  * Every pixel remembers the depth of what it shows. A triangle changes a pixel only where it is
  * nearer than what is there, so the order in which triangles come no longer matters.
@@ -57,8 +57,8 @@ struct canvas {
     uint64_t pixels_written;
 };
 
-/* The triangle of step 4 with a depth at each corner, interpolated and compared at every pixel. At
- * equal depth what was there stays. */
+/* The triangle of lesson 4 with a depth at each corner, interpolated and compared at every pixel.
+ * Where depths are equal, the first one drawn stays. */
 static void triangle(struct canvas *canvas, const struct vertex v[3], struct color color) {
     struct image *image = canvas->image;
     struct edges edges;

@@ -1,5 +1,5 @@
 /*
- * Step 5, the given part: its scenes and the program.
+ * Lesson 5, the given part: its scenes and the program.
  *
  * `rows` shows the idea in one dimension: three segments of a plane, seen from above, in one row of
  * pixels, and short ones that leave it at its sides. `zbuffer` is lesson 4 with a depth buffer,
@@ -179,8 +179,8 @@ static struct painted *painters_order(const struct model *model, struct error *e
     return order;
 }
 
-/* The depths of a face's corners, as an attempt has them. What is drawn over all that is there has
- * the number of its turn as depth: it is nearer than all before. */
+/* The depths of a face's corners in an attempt. What is painted over everything before gets the
+ * number of its turn as depth, so that it is nearer. */
 static void choose_depths(struct vertex v[3], int attempt, size_t turn, int bits) {
     const double mean = (v[0].depth + v[1].depth + v[2].depth) / 3;
     for (int i = 0; i < 3; i++) {
@@ -190,7 +190,7 @@ static void choose_depths(struct vertex v[3], int attempt, size_t turn, int bits
     }
 }
 
-/* All faces on which light falls, as in step 4. */
+/* All faces on which light falls, as in lesson 4. */
 static bool draw_zbuffer(struct drawing *drawing, struct image *image, struct error *error) {
     const struct model *model = drawing->model;
     const int attempt = (int)drawing_value(drawing, "attempt");

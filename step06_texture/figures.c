@@ -8,7 +8,6 @@
 #include "files/model_file.h"
 
 #include <stdio.h>
-#include <stdlib.h>
 
 enum { GAP = 8 }; /* pixels between the panels of a figure */
 
@@ -38,13 +37,14 @@ static struct color small_color(int x, int y) {
     return (x + y) % 2 == 0 ? bright : blue;
 }
 
-static bool draw_samplers(const char *directory, struct error *error) {
+static void draw_samplers(void) {
     enum { SIDE = 192 };
     static draw_function *const draws[] = {attempt_1_rounded, attempt_2_nearest,
                                            attempt_3_unshifted, attempt_4_no_levels};
-    struct texture texture = {0};
+    struct texture texture;
     struct sheet sheet = {.width = SIDE, .height = SIDE, .columns = 4, .rows = 1, .gap = GAP};
-    bool done = make_square(&texture, 4, small_color, error) && sheet_create(&sheet, error);
+    figure_need(make_square(&texture, 4, small_color, &figure_error));
+    sheet_create(&sheet);
     const int32_t end = SIDE * SUBPIXELS;
     texture_set_clamp(&texture, true);
     const struct vertex corners[4] = {
@@ -53,12 +53,11 @@ static bool draw_samplers(const char *directory, struct error *error) {
         {.position = {end, end}, .uv = {1, 1}, .recip_w = 1},
         {.position = {0, end}, .uv = {0, 1}, .recip_w = 1},
     };
-    for (size_t i = 0; done && i < 4; i++) {
+    for (size_t i = 0; i < 4; i++) {
         draw_quad(&sheet.panel, corners, &texture, draws[i]);
         sheet_add(&sheet);
     }
-    texture_free(&texture);
-    return sheet_end(&sheet, done, directory, "samplers", error);
+    figure_save(&sheet.image, "samplers");
 }
 
 /* ---- Affine: a board of 5 x 6 tiles ---- */
@@ -66,7 +65,7 @@ static bool draw_samplers(const char *directory, struct error *error) {
 /* Nobody walks, and no number of a scene is set. */
 static const struct drawing still = {.values = NULL};
 
-static bool draw_affine(const char *directory, const struct texture *checker, struct error *error) {
+static void draw_affine(const struct texture *checker) {
     enum { SIDE = 320 };
     static draw_function *const draws[] = {attempt_5_affine, draw_good};
     static const struct surface_corner board[4] = {{-1.7, 0, 1.25, {-1.7, 1.25}},
@@ -74,20 +73,19 @@ static bool draw_affine(const char *directory, const struct texture *checker, st
                                                    {0.8, 0, 4.25, {0.8, 4.25}},
                                                    {-1.7, 0, 4.25, {-1.7, 4.25}}};
     struct sheet sheet = {.width = SIDE, .height = SIDE, .columns = 2, .rows = 1, .gap = GAP};
-    bool done = sheet_create(&sheet, error);
-    for (size_t i = 0; done && i < 2; i++) {
+    sheet_create(&sheet);
+    for (size_t i = 0; i < 2; i++) {
         struct vertex corners[4];
         place_surface(&still, &sheet.panel, board, corners);
         draw_quad(&sheet.panel, corners, checker, draws[i]);
         sheet_add(&sheet);
     }
-    return sheet_end(&sheet, done, directory, "affine", error);
+    figure_save(&sheet.image, "affine");
 }
 
 /* ---- The horizon of scene checker ---- */
 
-static bool draw_horizon(const char *directory, const struct texture *checker,
-                         struct error *error) {
+static void draw_horizon(const struct texture *checker) {
     static draw_function *const draws[] = {attempt_2_nearest, attempt_4_no_levels, draw_good};
     const struct detail far = {200, 440, 162, 120, .zoom = 2};
     struct sheet sheet = {.width = (size_t)(far.width * far.zoom),
@@ -95,17 +93,16 @@ static bool draw_horizon(const char *directory, const struct texture *checker,
                           .columns = 3,
                           .rows = 1,
                           .gap = GAP};
-    struct image image = {0};
-    bool done = sheet_create(&sheet, error) && image_create(&image, 800, 800, IMAGE_BGR, error);
-    for (size_t i = 0; done && i < 3; i++) {
+    struct image image = figure_image(800, 800);
+    sheet_create(&sheet);
+    for (size_t i = 0; i < 3; i++) {
         struct vertex corners[4];
         place_surface(&still, &image, plane_corners, corners);
         image_clear(&image, color_grey(0));
         draw_quad(&image, corners, checker, draws[i]);
         sheet_add_detail(&sheet, &image, far);
     }
-    image_free(&image);
-    return sheet_end(&sheet, done, directory, "horizon", error);
+    figure_save(&sheet.image, "horizon");
 }
 
 /* ---- The levels that the scene uses, each in its colour ---- */
@@ -121,12 +118,10 @@ static uint32_t tinted(uint32_t texel, uint32_t color) {
 }
 
 /* The tiles, whose level i is tinted with the colour of level i. */
-static bool paint_levels(struct texture *texture, struct error *error) {
+static void paint_levels(struct texture *texture) {
     static const uint32_t colors[] = {0xFFFFFF, 0xF0E442, 0x56B4E9, 0x009E73, 0xE69F00,
                                       0xD55E00, 0xCC79A7, 0x0072B2, 0x404040};
-    if (!make_checker(texture, error)) {
-        return false;
-    }
+    figure_need(make_checker(texture, &figure_error));
     for (size_t i = 0; i < texture->level_count; i++) {
         const struct texture_level *level = &texture->level[i];
         for (size_t j = 0; j < level->pitch * level->height; j++) {
@@ -134,7 +129,6 @@ static bool paint_levels(struct texture *texture, struct error *error) {
                 tinted(level->texels[j], colors[i % (sizeof colors / sizeof colors[0])]);
         }
     }
-    return true;
 }
 
 /* ---- The textures themselves ---- */
@@ -154,44 +148,31 @@ static void show_texture(struct image *image, const struct texture *texture) {
 }
 
 /* Drawn twice as large as it is shown, which is as the next level. */
-static bool draw_levels(const char *directory, struct error *error) {
+static void draw_levels(void) {
     enum { SIDE = 800, SHOWN = 400 };
-    struct texture texture = {0}, drawn = {0};
-    struct image panel = {0}, shown = {0};
-    bool done = paint_levels(&texture, error) &&
-                image_create(&panel, SIDE, SIDE, IMAGE_BGR, error) &&
-                image_create(&shown, SHOWN, SHOWN, IMAGE_BGR, error);
-    if (done) {
-        struct vertex corners[4];
-        place_surface(&still, &panel, plane_corners, corners);
-        draw_quad(&panel, corners, &texture, draw_good);
-        done = texture_create(&drawn, &panel, error);
-    }
-    if (done) {
-        show_texture(&shown, &drawn);
-        done = figure_save(&shown, directory, "levels", error);
-    }
-    image_free(&panel);
-    image_free(&shown);
-    texture_free(&texture);
-    texture_free(&drawn);
-    return done;
+    struct texture texture, drawn;
+    struct image panel = figure_image(SIDE, SIDE), shown = figure_image(SHOWN, SHOWN);
+    struct vertex corners[4];
+    paint_levels(&texture);
+    place_surface(&still, &panel, plane_corners, corners);
+    draw_quad(&panel, corners, &texture, draw_good);
+    figure_need(texture_create(&drawn, &panel, &figure_error));
+    show_texture(&shown, &drawn);
+    figure_save(&shown, "levels");
 }
 
-static bool draw_textures(struct model *bust, const char *directory, struct error *error) {
+static void draw_textures(struct model *bust) {
     static const enum model_texture_kind kinds[] = {MODEL_DIFFUSE, MODEL_NORMAL_MAP,
                                                     MODEL_SPECULAR};
     struct sheet sheet = {.width = 256, .height = 256, .columns = 3, .rows = 1, .gap = GAP};
-    bool done = sheet_create(&sheet, error);
-    for (size_t i = 0; done && i < 3; i++) {
-        const struct texture *texture = model_texture(bust, kinds[i], error);
-        done = texture != NULL;
-        if (done) {
-            show_texture(&sheet.panel, texture);
-            sheet_add(&sheet);
-        }
+    sheet_create(&sheet);
+    for (size_t i = 0; i < 3; i++) {
+        const struct texture *texture = model_texture(bust, kinds[i], &figure_error);
+        figure_need(texture != NULL);
+        show_texture(&sheet.panel, texture);
+        sheet_add(&sheet);
     }
-    return sheet_end(&sheet, done, directory, "textures", error);
+    figure_save(&sheet.image, "textures");
 }
 
 /* Half the texture's colour, half blue: the same, however often an edge is drawn. */
@@ -210,34 +191,29 @@ static void draw_uv_edge(struct image *image, const struct image *below, struct 
 }
 
 /* All faces of the bust where they lie in its texture. */
-static bool draw_uv_mesh(struct model *bust, const char *directory, struct error *error) {
+static void draw_uv_mesh(struct model *bust) {
     enum { SIDE = 512 };
-    struct image below = {0}, image = {0};
-    const struct texture *texture = model_texture(bust, MODEL_DIFFUSE, error);
-    bool done = texture != NULL && image_create(&below, SIDE, SIDE, IMAGE_BGR, error) &&
-                image_create(&image, SIDE, SIDE, IMAGE_BGR, error);
-    if (done) {
-        show_texture(&below, texture);
-        show_texture(&image, texture);
-        for (size_t face = 0; face < bust->face_count; face++) {
-            for (size_t i = 0; i < 3; i++) {
-                draw_uv_edge(&image, &below, model_uv(bust, face, i),
-                             model_uv(bust, face, (i + 1) % 3));
-            }
+    struct image below = figure_image(SIDE, SIDE), image = figure_image(SIDE, SIDE);
+    const struct texture *texture = model_texture(bust, MODEL_DIFFUSE, &figure_error);
+    figure_need(texture != NULL);
+    show_texture(&below, texture);
+    show_texture(&image, texture);
+    for (size_t face = 0; face < bust->face_count; face++) {
+        for (size_t i = 0; i < 3; i++) {
+            draw_uv_edge(&image, &below, model_uv(bust, face, i),
+                         model_uv(bust, face, (i + 1) % 3));
         }
-        done = figure_save(&image, directory, "uv_mesh", error);
     }
-    image_free(&below);
-    image_free(&image);
-    return done;
+    figure_save(&image, "uv_mesh");
 }
 
-bool draw_figures(const char *directory, struct model *bust, struct error *error) {
-    struct texture checker = {0};
-    bool done = make_checker(&checker, error) && draw_horizon(directory, &checker, error) &&
-                draw_samplers(directory, error) && draw_affine(directory, &checker, error) &&
-                draw_levels(directory, error) && draw_textures(bust, directory, error) &&
-                draw_uv_mesh(bust, directory, error);
-    texture_free(&checker);
-    return done;
+void draw_figures(struct model *bust) {
+    struct texture checker;
+    figure_need(make_checker(&checker, &figure_error));
+    draw_horizon(&checker);
+    draw_samplers();
+    draw_affine(&checker);
+    draw_levels();
+    draw_textures(bust);
+    draw_uv_mesh(bust);
 }

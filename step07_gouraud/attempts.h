@@ -1,5 +1,5 @@
 /*
- * Step 7: the worse and the better versions, for the lesson's figures and the benchmark.
+ * Lesson 7: the worse and the better versions, for the lesson's figures and the benchmark.
  *
  * Include main.c first: these versions share its vertices, its light and its depth test. Each
  * attempt draws one triangle under a light of direction `light` (length 1, towards the light).

@@ -1,5 +1,5 @@
 /*
- * Step 7: light at the corners, smooth between them.
+ * Lesson 7: light at the corners, smooth between them.
  *
  * A flat face shows that it is flat. Where the light is computed at the corners, from a normal that
  * all faces around a corner share, and interpolated in between, the same mesh looks round (Gouraud,
@@ -77,7 +77,7 @@ struct canvas {
     uint64_t pixels_shaded;
 };
 
-/* The depth test of step 5: is the pixel nearer than what is there? Then its depth is kept. */
+/* The depth test of lesson 5: is the pixel nearer than what is there? Then its depth is kept. */
 static bool depth_test(struct canvas *canvas, const struct vertex v[3], struct vec3 weight, int x,
                        int y) {
     double *there = &canvas->depth[(size_t)y * canvas->width + (size_t)x];
@@ -90,7 +90,7 @@ static bool depth_test(struct canvas *canvas, const struct vertex v[3], struct v
     return true;
 }
 
-/* The triangle of step 5 with an intensity at each corner, interpolated in between. */
+/* The triangle of lesson 5 with an intensity at each corner, interpolated in between. */
 static void triangle(struct canvas *canvas, const struct edges *edges, const struct vertex v[3]) {
     for (int y = edges->y_begin; y < edges->y_end; y++) {
         struct span span = edges_span(edges, y);

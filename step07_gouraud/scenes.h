@@ -1,5 +1,5 @@
 /*
- * Step 7, the given part: its scenes and the program.
+ * Lesson 7, the given part: its scenes and the program.
  *
  * `gouraud` has one intensity at each corner, `colors` a colour. `lit` adds up three kinds of light
  * at each corner, with a light and a camera at points: the ambient, the diffuse and the specular

@@ -11,10 +11,10 @@
 enum { LARGE_SIDE = 390, SIDE = 260, SMALL_SIDE = 200, GAP = 6 }; /* pixels; GAP: between panels */
 
 /* A row of square panels. */
-static bool row_create(struct sheet *sheet, size_t side, size_t columns, struct error *error) {
-    *sheet =
-        (struct sheet){.width = side, .height = side, .columns = columns, .rows = 1, .gap = GAP};
-    return sheet_create(sheet, error);
+static struct sheet row_create(size_t side, size_t columns) {
+    struct sheet sheet = {.width = side, .height = side, .columns = columns, .rows = 1, .gap = GAP};
+    sheet_create(&sheet);
+    return sheet;
 }
 
 /* ---- Cameras ---- */
@@ -49,40 +49,35 @@ static void draw_with(struct drawing *drawing, struct image *image, struct mat4 
 /* ---- The figures with the model ---- */
 
 /* The same head from three distances, and from infinitely far away. */
-static bool draw_distances(struct drawing *drawing, const char *directory, struct error *error) {
+static void draw_distances(struct drawing *drawing) {
     static const double distances[4] = {1, 2, 4, INFINITY};
-    struct sheet sheet;
-    bool done = row_create(&sheet, SMALL_SIDE, 4, error);
-    for (int i = 0; done && i < 4; i++) {
+    struct sheet sheet = row_create(SMALL_SIDE, 4);
+    for (int i = 0; i < 4; i++) {
         draw_with(drawing, &sheet.panel, mat4_mul(projection(distances[i]), camera_frame(&front)),
                   draw_model);
         sheet_add(&sheet);
     }
-    return sheet_end(&sheet, done, directory, "distances", error);
+    figure_save(&sheet.image, "distances");
 }
 
-static bool draw_clipping(struct drawing *drawing, const char *directory, struct error *error) {
+static void draw_clipping(struct drawing *drawing) {
     static attempt_draw *const draws[] = {attempt_7_unclipped, attempt_8_left_out, draw_model};
-    struct sheet sheet;
-    bool done = row_create(&sheet, SIDE, 3, error);
-    for (int i = 0; done && i < 3; i++) {
+    struct sheet sheet = row_create(SIDE, 3);
+    for (int i = 0; i < 3; i++) {
         draw_with(drawing, &sheet.panel, camera_clip(&close_up), draws[i]);
         sheet_add(&sheet);
     }
-    return sheet_end(&sheet, done, directory, "clipping", error);
+    figure_save(&sheet.image, "clipping");
 }
 
 /* ---- Where the camera of closeup is ---- */
 
-static bool make_red(struct texture *texture, struct error *error) {
-    struct image image;
-    if (!image_create(&image, 1, 1, IMAGE_BGR, error)) {
-        return false;
-    }
+static struct texture make_red(void) {
+    struct texture texture;
+    struct image image = figure_image(1, 1);
     image_set(&image, 0, 0, color_rgb(255, 90, 70));
-    bool done = texture_create(texture, &image, error);
-    image_free(&image);
-    return done;
+    figure_need(texture_create(&texture, &image, &figure_error));
+    return texture;
 }
 
 /* The head, with those faces red that are behind the close camera. */
@@ -120,22 +115,18 @@ static void draw_close_camera(struct image *image, const struct mat4 *to_clip) {
 }
 
 /* Left panel: the head from the side, with the camera of closeup. Right: what that camera sees. */
-static bool draw_close(struct drawing *drawing, const char *directory, struct error *error) {
+static void draw_close(struct drawing *drawing) {
     const struct camera side = {{3, 0.4, 0.35}, {0, 0.4, 0.35}, {0, 1, 0}};
     const struct mat4 to_clip =
         mat4_mul(mat4_scaling((struct vec3){1.6, 1.6, 1}), camera_frame(&side));
-    struct texture red = {0};
-    struct sheet sheet = {0};
-    bool done = make_red(&red, error) && row_create(&sheet, LARGE_SIDE, 2, error);
-    if (done) {
-        draw_behind_red(drawing, &sheet.panel, &to_clip, &red);
-        draw_close_camera(&sheet.panel, &to_clip);
-        sheet_add(&sheet);
-        draw_with(drawing, &sheet.panel, camera_clip(&close_up), draw_model);
-        sheet_add(&sheet);
-    }
-    texture_free(&red);
-    return sheet_end(&sheet, done, directory, "close", error);
+    const struct texture red = make_red();
+    struct sheet sheet = row_create(LARGE_SIDE, 2);
+    draw_behind_red(drawing, &sheet.panel, &to_clip, &red);
+    draw_close_camera(&sheet.panel, &to_clip);
+    sheet_add(&sheet);
+    draw_with(drawing, &sheet.panel, camera_clip(&close_up), draw_model);
+    sheet_add(&sheet);
+    figure_save(&sheet.image, "close");
 }
 
 /* ---- Perspective: lines on a wall ---- */
@@ -174,34 +165,31 @@ static void draw_wall_lines(struct image *image, attempt_perspective *see) {
     }
 }
 
-static bool draw_evenly(const char *directory, struct error *error) {
+static void draw_evenly(void) {
     static attempt_perspective *const versions[] = {attempt_1_evenly, attempt_14_divided};
-    struct sheet sheet;
-    bool done = row_create(&sheet, SIDE, 2, error);
-    for (int i = 0; done && i < 2; i++) {
+    struct sheet sheet = row_create(SIDE, 2);
+    for (int i = 0; i < 2; i++) {
         draw_wall_lines(&sheet.panel, versions[i]);
         sheet_add(&sheet);
     }
-    return sheet_end(&sheet, done, directory, "evenly", error);
+    figure_save(&sheet.image, "evenly");
 }
 
 /* ---- The wall without and with perspective ---- */
 
-static bool draw_parallel(const struct drawing *drawing, const char *directory,
-                          struct error *error) {
+static void draw_parallel(const struct drawing *drawing) {
     const struct mat4 to_clip[2] = {camera_frame(&front), camera_clip(&front)};
     struct quad_model made;
-    struct texture tiles = {0};
-    struct sheet sheet = {0};
+    struct texture tiles;
+    struct sheet sheet = row_create(SIDE, 2);
+    figure_need(make_tiles(&tiles, &figure_error));
     quad_model_make(&made, &wall, 1, drawing->light);
     struct drawing of_quads = drawing_of_quads(drawing, &made, &tiles);
-    bool done = make_tiles(&tiles, error) && row_create(&sheet, SIDE, 2, error);
-    for (int i = 0; done && i < 2; i++) {
+    for (int i = 0; i < 2; i++) {
         draw_with(&of_quads, &sheet.panel, to_clip[i], draw_model);
         sheet_add(&sheet);
     }
-    texture_free(&tiles);
-    return sheet_end(&sheet, done, directory, "parallel", error);
+    figure_save(&sheet.image, "parallel");
 }
 
 /* ---- Normals of a circle that is made an ellipse ---- */
@@ -226,32 +214,29 @@ static void draw_normals_of(struct image *image, attempt_normal *normal_of) {
     }
 }
 
-static bool draw_normals(const char *directory, struct error *error) {
+static void draw_normals(void) {
     static attempt_normal *const versions[] = {attempt_4_same_matrix, attempt_13_inverse_transpose};
-    struct sheet sheet;
-    bool done = row_create(&sheet, SIDE, 2, error);
-    for (int i = 0; done && i < 2; i++) {
+    struct sheet sheet = row_create(SIDE, 2);
+    for (int i = 0; i < 2; i++) {
         draw_normals_of(&sheet.panel, versions[i]);
         sheet_add(&sheet);
     }
-    return sheet_end(&sheet, done, directory, "normals", error);
+    figure_save(&sheet.image, "normals");
 }
 
 /* ---- The program ---- */
 
-bool draw_figures(const char *directory, struct model *bust, struct error *error) {
+void draw_figures(struct model *bust) {
     struct state state = {0};
     struct drawing drawing = {.light = {1, 1, 2}, .skip = true, .model = bust, .state = &state};
-    drawing.depth = malloc(800 * 800 * sizeof *drawing.depth);
-    drawing.diffuse = model_texture(bust, MODEL_DIFFUSE, error);
-    bool done = drawing.depth != NULL || error_out_of_memory(error);
-    done = done && drawing.diffuse != NULL && model_need_normals(bust, error) &&
-           prepare(&drawing, 800, 800, error);
-    done = done && draw_distances(&drawing, directory, error) &&
-           draw_parallel(&drawing, directory, error) && draw_evenly(directory, error) &&
-           draw_close(&drawing, directory, error) && draw_clipping(&drawing, directory, error) &&
-           draw_normals(directory, error);
-    finish(&drawing);
-    free(drawing.depth);
-    return done;
+    drawing.depth = figure_memory(LARGE_SIDE * LARGE_SIDE, sizeof *drawing.depth);
+    drawing.diffuse = model_texture(bust, MODEL_DIFFUSE, &figure_error);
+    figure_need(drawing.diffuse != NULL && model_need_normals(bust, &figure_error) &&
+                prepare(&drawing, 800, 800, &figure_error));
+    draw_distances(&drawing);
+    draw_parallel(&drawing);
+    draw_evenly();
+    draw_close(&drawing);
+    draw_clipping(&drawing);
+    draw_normals();
 }

@@ -449,16 +449,27 @@ static bool is_seen(const struct drawing *drawing, const struct image *image,
            position->vertex.depth > drawing->depth[(size_t)(y * width + x)] - 0.01;
 }
 
+/* A matrix times a number gives the same picture, but is cut where w is that much less: so the near
+ * plane is chosen. */
+static double scale_for_near(const struct drawing *drawing) {
+    const double near = drawing_value(drawing, "near");
+    return near > 0 ? near_w / near : 1;
+}
+
 /* How the corner next to the probed pixel came to the screen. */
-static void note_corner(struct drawing *drawing, const struct image *image,
+static void note_corner(struct drawing *drawing, const struct canvas *canvas,
                         const struct state *state, const struct model *model) {
+    const struct rectangle area = canvas->area;
+    const struct pixel probe = drawing->probe;
+    const bool here = drawing->probed && probe.x >= area.x && probe.x < area.x + area.width &&
+                      probe.y >= area.y && probe.y < area.y + area.height;
     double least = INFINITY;
     size_t nearest = 0;
-    for (size_t i = 0; drawing->probed && i < model->position_count; i++) {
+    for (size_t i = 0; here && i < model->position_count; i++) {
         const struct fixed2 p = state->positions[i].vertex.position;
-        double distance = hypot((double)p.x / SUBPIXELS - 0.5 - drawing->probe.x,
-                                (double)p.y / SUBPIXELS - 0.5 - drawing->probe.y);
-        if (distance < least && is_seen(drawing, image, &state->positions[i])) {
+        double distance =
+            hypot((double)p.x / SUBPIXELS - 0.5 - probe.x, (double)p.y / SUBPIXELS - 0.5 - probe.y);
+        if (distance < least && is_seen(drawing, canvas->image, &state->positions[i])) {
             least = distance;
             nearest = i;
         }
@@ -468,6 +479,8 @@ static void note_corner(struct drawing *drawing, const struct image *image,
         const struct position *p = &state->positions[nearest];
         const struct vec4 c = p->clip;
         drawing_note(drawing, "corner %zu: %.3f %.3f %.3f", nearest, m.x, m.y, m.z);
+        const double scale = scale_for_near(drawing); /* which projection() does not know of */
+        drawing_note(drawing, "view   %.3f %.3f %.3f", c.x / scale, c.y / scale, c.z / scale);
         drawing_note(drawing, "clip   %.3f %.3f %.3f  w %.3f", c.x, c.y, c.z, c.w);
         drawing_note(drawing, "NDC    %.3f %.3f %.3f", c.x / c.w, c.y / c.w, c.z / c.w);
         drawing_note(drawing, "screen %.2f %.2f", (double)p->vertex.position.x / SUBPIXELS,
@@ -501,7 +514,7 @@ static void count_work(struct drawing *drawing, const struct canvas *canvas,
 static void draw_model(struct drawing *drawing, struct canvas *canvas, const struct mat4 *to_clip) {
     draw_faces(drawing, canvas, to_clip);
     count_work(drawing, canvas, drawing->model);
-    note_corner(drawing, canvas->image, drawing->state, drawing->model);
+    note_corner(drawing, canvas, drawing->state, drawing->model);
 }
 
 /* ---- Scenes with the model ---- */
@@ -539,13 +552,12 @@ static double eye_distance(const struct drawing *drawing) {
     return vec3_length(vec3_sub(drawing->eye, drawing->center));
 }
 
-/* In perspective, at the distance between eye and center. A matrix times a number gives the same
- * picture, but is cut where w is that much less: so the near plane is chosen. */
+/* In perspective, at the distance between eye and center. */
 static struct mat4 perspective_camera(const struct drawing *drawing) {
     struct mat4 to_clip = camera(drawing, eye_distance(drawing));
-    const double near = drawing_value(drawing, "near");
-    for (int i = 0; near > 0 && i < 16; i++) {
-        to_clip.m[i / 4][i % 4] *= near_w / near;
+    const double scale = scale_for_near(drawing);
+    for (int i = 0; i < 16; i++) {
+        to_clip.m[i / 4][i % 4] *= scale;
     }
     return to_clip;
 }
@@ -725,7 +737,6 @@ static struct drawing drawing_of_quads(const struct drawing *drawing, struct qua
     return of_quads;
 }
 
-/* Draw the quads, transformed by to_clip, with tiles on them. */
 /* How the probed pixel comes to u and v, where a triangle of the quads has it. */
 static void note_texel(struct drawing *drawing, const struct canvas *canvas,
                        const struct quad_model *made) {
@@ -762,6 +773,7 @@ static void note_texel(struct drawing *drawing, const struct canvas *canvas,
     }
 }
 
+/* Draw the quads, transformed by to_clip, with tiles on them. */
 static bool draw_quads(struct drawing *drawing, const struct canvas *canvas,
                        const struct quad *quads, size_t count, const struct mat4 *to_clip,
                        struct error *error) {
@@ -775,7 +787,7 @@ static bool draw_quads(struct drawing *drawing, const struct canvas *canvas,
     struct canvas tiled = *canvas;
     draw_faces(&of_quads, &tiled, to_clip);
     count_work(drawing, &tiled, &made.model);
-    note_corner(drawing, canvas->image, &made.state, &made.model);
+    note_corner(drawing, &tiled, &made.state, &made.model);
     note_texel(drawing, &tiled, &made);
     texture_free(&tiles);
     return true;

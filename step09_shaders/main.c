@@ -1,7 +1,7 @@
 /*
- * Step 9: shaders.
+ * Lesson 9: shaders.
  *
- * Steps 4 to 8 repeated one loop over faces and one over pixels, and changed only what a corner
+ * Lessons 4 to 8 repeated one loop over faces and one over pixels, and changed only what a corner
  * hands over and what a pixel makes of it. Part a writes the loops once, and passes them the two
  * functions that differ: a shader. Part b writes eight shaders. Part c writes what their pixels do
  * for the pipeline of common/pipeline.h, which draws the same pictures faster. Part d makes a
@@ -292,7 +292,7 @@ static void two_sided_vertex(const void *uniforms, size_t face, size_t corner, d
 
 static const struct simple_shader simple_two_sided = {1, two_sided_vertex, white_pixel};
 
-/* Culled by the light, as in steps 4 to 7: what gets no light is not drawn at all. */
+/* Culled by the light, as in lessons 4 to 7: what gets no light is not drawn at all. */
 static bool lit_only_pixel(const void *uniforms, const double *varyings, struct vec3 *rgb) {
     /* BEGIN SOLUTION 9b.7 culled by the light */
     return white_pixel(uniforms, varyings, rgb) && varyings[0] > 0;

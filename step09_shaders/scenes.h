@@ -1,5 +1,5 @@
 /*
- * Step 9, the given part: its scenes and the program.
+ * Lesson 9, the given part: its scenes and the program.
  *
  * A scene is a grid of cells, and in each cell the model as one shader draws it. `loops`, `looks`
  * and `more_looks` are drawn by simple_draw(), `heads` by visible_draw(), the others by the
@@ -325,7 +325,7 @@ static void draw_in_two_lights(const struct canvas *canvas, struct rectangle cel
 }
 
 /* The first one has a square in full light next to it, the third one a triangle in two lights. The
- * last one is seen from where no light falls: what is left is the inside of the lit half; beside
+ * last one is seen from where no light falls: what is left is the inside of the lit half; next to
  * it, a square that gets next to none. */
 static bool draw_more_looks(struct drawing *drawing, struct image *image, struct error *error) {
     const struct vec3 from_the_dark_side = {-2.5, 0.5, 1.8};

@@ -1,5 +1,5 @@
 /*
- * Beyond step 10: supersampling and gamma. Drawn by `build/step10_phong --only samples`.
+ * Beyond lesson 10: supersampling and gamma. Drawn by `build/step10_phong --only samples`.
  *
  * The head is drawn larger, and each pixel of the picture is the mean of a square of pixels: its
  * samples. (Franklin Crow, "The Aliasing Problem in Computer-Generated Shaded Images", CACM 20(11),

@@ -1,5 +1,5 @@
 /*
- * Beyond step 10: a shadow map. Drawn by `build/step10_phong --only shadow`.
+ * Beyond lesson 10: a shadow map. Drawn by `build/step10_phong --only shadow`.
  *
  * The head is drawn twice. First as the light sees it, and only the depths are kept: the map. Then
  * as the eye sees it: each pixel finds its own place in the map, and is in the shadow where the

@@ -1,5 +1,5 @@
 /*
- * Step 10: Phong's reflection model, at every pixel.
+ * Lesson 10: Phong's reflection model, at every pixel.
  *
  * The light that a pixel sends to the eye is the sum of three parts: ambient (from everywhere),
  * diffuse (scattered by the surface) and specular (mirrored towards the eye, more or less sharply).

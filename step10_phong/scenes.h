@@ -1,5 +1,5 @@
 /*
- * Step 10, the given part: its scenes and the program.
+ * Lesson 10, the given part: its scenes and the program.
  *
  * A scene is a square of cells, and in each cell the model as one shader draws it, with a material.
  */

@@ -81,7 +81,7 @@ static inline struct shown show_call(const char *call) {
     return shown;
 }
 
-/* The next call is this one. Is it wanted? Then its line is begun. Behind a `+` stand tasks that it
+/* The next call is this one. Is it wanted? Then its line is begun. Behind a `+` are tasks that it
  * needs, too ("10a.2+10b.1"): it is not called without them. */
 static inline bool number_begin(const char *task, const char *call, struct shown right) {
     bool wanted = number_state.next >= number_state.first;

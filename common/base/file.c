@@ -131,28 +131,18 @@ static bool write_all(int file, const void *data, size_t size) {
     return true;
 }
 
-/* As write_all(). The signal of a file that grows too large would end the program in the middle. */
-static bool write_all_or_fail(int file, const void *data, size_t size) {
+/* Write and close; false with the reason in errno. Some file systems tell of a full disk only when
+ * the file is closed. The signal of a file that grows too large would end the program before. */
+static bool write_and_close(int file, const void *data, size_t size) {
 #ifdef SIGXFSZ
     struct sigaction ignored = {.sa_handler = SIG_IGN}, before;
-    bool changed = sigaction(SIGXFSZ, &ignored, &before) == 0;
+    sigaction(SIGXFSZ, &ignored, &before);
+#endif
     bool written = write_all(file, data, size);
     int reason = errno;
-    if (changed) {
-        sigaction(SIGXFSZ, &before, NULL);
-    }
-    errno = reason;
-    return written;
-#else
-    return write_all(file, data, size);
+#ifdef SIGXFSZ
+    sigaction(SIGXFSZ, &before, NULL);
 #endif
-}
-
-/* Write and close; false with the reason in errno. Some file systems tell of a full disk only when
- * the file is closed. */
-static bool write_and_close(int file, const void *data, size_t size) {
-    bool written = write_all_or_fail(file, data, size);
-    int reason = errno;
     bool closed = close(file) == 0;
     if (!written) {
         errno = reason;
@@ -190,7 +180,7 @@ static int create_temporary(const char *path, char *name, size_t name_size) {
 }
 
 static void set_permissions(int file, long mode) {
-#ifdef __wasi__ /* has no permissions: what replaces a file gets those of any new file */
+#ifdef __wasi__ /* has no permissions: a replaced file gets those of any new file */
     (void)file;
     (void)mode;
 #else
@@ -282,16 +272,10 @@ uint64_t file_size(const char *path) {
     return stat(path, &status) == 0 && status.st_size > 0 ? (uint64_t)status.st_size : 0;
 }
 
-static bool is_directory(const char *path) {
+/* Why no directory is there: a link may lead to nothing, or to itself. 0 where one is. */
+static int directory_fault(const char *path) {
     struct stat status;
-    return stat(path, &status) == 0 && S_ISDIR(status.st_mode);
-}
-
-/* What is wrong with what is there, and is no directory: a link may lead to nothing, or to
- * itself. */
-static int reason_of_existing(const char *path) {
-    struct stat status;
-    return stat(path, &status) == 0 ? ENOTDIR : errno;
+    return stat(path, &status) != 0 ? errno : S_ISDIR(status.st_mode) ? 0 : ENOTDIR;
 }
 
 bool directory_create(const char *path, struct error *error) {
@@ -305,9 +289,10 @@ bool directory_create(const char *path, struct error *error) {
         }
         partial[i] = '\0';
         int reason = mkdir(partial, 0777) == 0 ? 0 : errno;
-        if (reason != 0 && !is_directory(partial)) {
+        int fault = reason == 0 ? 0 : directory_fault(partial);
+        if (fault != 0) {
             error_set(error, "cannot make the directory: %s",
-                      strerror(reason == EEXIST ? reason_of_existing(partial) : reason));
+                      strerror(reason == EEXIST ? fault : reason));
             error_name_file(error, partial);
             free(partial);
             return false;

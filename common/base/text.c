@@ -208,26 +208,16 @@ struct word text_rest_of_line(struct text *text) {
 /* ---- Integers ---- */
 
 bool word_to_integer(struct word word, int64_t *value) {
-    size_t i = 0;
     bool negative = word.length > 0 && word.start[0] == '-';
-    if (word.length > 0 && (word.start[0] == '-' || word.start[0] == '+')) {
-        i++;
-    }
-    if (i == word.length) {
-        return false;
-    }
+    size_t i = negative || (word.length > 0 && word.start[0] == '+');
+    bool fits = i < word.length;
     int64_t result = 0; /* kept negative: there is one more number below zero than above */
-    for (; i < word.length; i++) {
+    for (; fits && i < word.length; i++) {
         int digit = word.start[i] - '0';
-        if (digit < 0 || digit > 9) {
-            return false;
-        }
-        if (result < (INT64_MIN + digit) / 10) {
-            return false;
-        }
-        result = result * 10 - digit;
+        fits = digit >= 0 && digit <= 9 && result >= (INT64_MIN + digit) / 10;
+        result = fits ? result * 10 - digit : 0;
     }
-    if (!negative && result == INT64_MIN) {
+    if (!fits || (!negative && result == INT64_MIN)) {
         return false;
     }
     *value = negative ? result : -result;
@@ -312,7 +302,7 @@ static inline bool exact_double(const struct decimal *decimal, double *value) {
 }
 
 /* Any other by strtod(), from a copy "DIGITSeEXPONENT". It has no point, so that the locale does
- * not matter, and no more digits than can: whether one behind them is not 0 is told by a last 1. */
+ * not matter, and no more digits than can: a last 1 says that one behind them is not 0. */
 static double any_double(struct decimal decimal) {
     char copy[KEPT_DIGITS + 32];
     size_t kept = 0;

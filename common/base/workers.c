@@ -181,7 +181,7 @@ static void run_shared(struct workers *workers, size_t count, worker_function *w
     pthread_mutex_unlock(&workers->mutex);
     do_parts(workers, 0);
     pthread_mutex_lock(&workers->mutex);
-    workers->open = false; /* who wakes only now comes too late */
+    workers->open = false; /* a thread that wakes only now is late */
     pthread_mutex_unlock(&workers->mutex);
     wait_for_threads(workers);
     pthread_mutex_lock(&workers->mutex);

@@ -446,7 +446,7 @@ enum {
 static const char cut_off[] = "compressed data cut off";
 static const char too_large[] = "compressed data larger than the picture";
 
-/* Bits of a stream. Zeros follow behind its end: who has taken some of them finds out later. Above
+/* Bits of a stream. Zeros follow behind its end; a reader finds out later that it took some. Above
  * the `count` bits there may be some of the byte that comes next. */
 struct bit_reader {
     const uint8_t *next, *end; /* bytes that are not yet taken */

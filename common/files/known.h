@@ -7,7 +7,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* Does the file begin as those of a known kind do? Then the message says of which, and what helps;
+/* Does the file begin like a file of a known kind? Then the message names it, and says what helps;
  * what was wanted is a model or a picture. Otherwise the message stays as it is. */
 bool error_known_file(struct error *error, const void *data, size_t size, bool model_wanted);
 

@@ -177,8 +177,8 @@ bool model_read(struct model *model, const char *path, struct error *error) {
 
 /* ---- Textures ---- */
 
-/* The names that textures have behind that of their model, the one that is looked for first as the
- * first. JPEG is looked for, too, though it cannot be read: its message says what to do. */
+/* What follows the model's name in the name of a texture, in the order of search. JPEG is looked
+ * for, too, though it cannot be read: its message says what to do. */
 static const char *const texture_suffixes[MODEL_TEXTURE_KINDS][4] = {
     [MODEL_DIFFUSE] = {"_diffuse", "_albedo", "_basecolor"},
     [MODEL_NORMAL_MAP] = {"_nm", "_normal", "_nm_tangent", "_normal_tangent"},

@@ -345,39 +345,23 @@ static bool cut_polygon(struct model_reader *reader) {
     }
 }
 
-/* Make room for more faces. */
-static bool reserve_faces(struct model_reader *reader, size_t count) {
-    struct model *model = reader->model;
-    return extend(reader, &model->faces, &reader->face_capacity, model->face_count + count,
-                  sizeof *model->faces);
-}
-
-/* Most faces are triangles already. */
-static bool add_triangle(struct model_reader *reader) {
-    struct model *model = reader->model;
-    if (!reserve_faces(reader, 1)) {
-        return false;
-    }
-    const struct corner *corner = reader->polygon;
-    model->faces[model->face_count++] = (struct face){{corner[0], corner[1], corner[2]}};
-    return true;
-}
-
 bool reader_add_faces(struct model_reader *reader) {
     struct model *model = reader->model;
-    if (reader->polygon_size == 3) {
-        return add_triangle(reader);
+    const struct corner *polygon = reader->polygon;
+    size_t count = reader->polygon_size - 2;
+    if (!extend(reader, &model->faces, &reader->face_capacity, model->face_count + count,
+                sizeof *model->faces)) {
+        return false;
+    }
+    if (count == 1) { /* as most of them */
+        model->faces[model->face_count++] = (struct face){{polygon[0], polygon[1], polygon[2]}};
+        return true;
     }
     if (!gather_places(reader) || !cut_polygon(reader)) {
         return false;
     }
-    size_t count = reader->cutter.triangle_count;
-    if (!reserve_faces(reader, count)) {
-        return false;
-    }
     for (size_t i = 0; i < count; i++) {
         const uint32_t *corner = reader->cutter.triangles[i];
-        const struct corner *polygon = reader->polygon;
         model->faces[model->face_count++] =
             (struct face){{polygon[corner[0]], polygon[corner[1]], polygon[corner[2]]}};
     }

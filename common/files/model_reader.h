@@ -66,7 +66,7 @@ enum reader_range { READER_FINITE, READER_ANY };
 bool reader_parse_number(struct model_reader *reader, struct word word, enum reader_range range,
                          double *number);
 
-/* The numbers up to the end of the line, of which the first so many must be READER_FINITE. */
+/* The numbers up to the end of the line. The first `finite` of them must be READER_FINITE. */
 bool reader_read_numbers(struct model_reader *reader, size_t finite,
                          struct reader_numbers *numbers);
 
@@ -113,9 +113,9 @@ bool reader_use_material(struct model_reader *reader, struct word name);
 /* Add the name of a file of materials. */
 bool reader_add_library(struct model_reader *reader, struct word name);
 
-/* At the end: bring all colours to 0..1 (those of positions are levels 0..255 where one is far
- * above 1); where some positions or faces have them, make the others white; take normals without
- * a direction off the corners. */
+/* At the end: bring all colours to 0..1 (positions have levels 0..255 where one is far above 1);
+ * where only some positions or faces have a colour, make the others white; take normals without a
+ * direction off the corners. */
 bool reader_finish(struct model_reader *reader);
 
 /* Free what does not belong to the model. */

@@ -44,7 +44,7 @@ static bool is_usual_ambient(const float color[3]) {
     return grey == color[1] && grey == color[2] && (grey == 0 || grey == 0.2F || grey == 1);
 }
 
-/* Up to three numbers, of which two count. */
+/* Up to three numbers. Only the first two count. */
 static void read_pair(struct text *text, float pair[2]) {
     for (int i = 0; i < 3; i++) {
         struct text ahead = *text;

@@ -25,41 +25,33 @@ struct obj {
 
 /* ---- Positions, texture coordinates and normals ---- */
 
+/* The numbers of a line, of which there are at least so many. */
+static inline bool read_numbers(struct model_reader *reader, const char *keyword, size_t least,
+                                size_t finite, struct reader_numbers *numbers) {
+    return reader_read_numbers(reader, finite, numbers) &&
+           (numbers->count >= least ||
+            text_error(reader->error, reader->line, "'%s' takes %zu or more numbers, not %zu",
+                       keyword, least, numbers->count));
+}
+
 /* x y z, or x y z r g b; what else follows, such as w, counts for nothing. */
 static bool read_position(struct model_reader *reader) {
     struct reader_numbers numbers;
-    if (!reader_read_numbers(reader, 3, &numbers)) {
-        return false;
-    }
-    if (numbers.count < 3) {
-        return text_error(reader->error, reader->line, "'v' takes 3 or more numbers, not %zu",
-                          numbers.count);
-    }
-    return reader_add_position(reader, numbers.value) &&
+    return read_numbers(reader, "v", 3, 3, &numbers) &&
+           reader_add_position(reader, numbers.value) &&
            (numbers.count < 6 || reader_color_position(reader, numbers.value + 3));
 }
 
+/* u, u v, u v w */
 static bool read_uv(struct model_reader *reader) {
     struct reader_numbers numbers;
-    if (!reader_read_numbers(reader, 0, &numbers)) {
-        return false;
-    }
-    if (numbers.count < 1) { /* u, u v, u v w */
-        return text_error(reader->error, reader->line, "'vt' takes 1 or more numbers, not 0");
-    }
-    return reader_add_uv(reader, numbers.value[0], numbers.count > 1 ? numbers.value[1] : 0);
+    return read_numbers(reader, "vt", 1, 0, &numbers) &&
+           reader_add_uv(reader, numbers.value[0], numbers.count > 1 ? numbers.value[1] : 0);
 }
 
 static bool read_normal(struct model_reader *reader) {
     struct reader_numbers numbers;
-    if (!reader_read_numbers(reader, 0, &numbers)) {
-        return false;
-    }
-    if (numbers.count < 3) {
-        return text_error(reader->error, reader->line, "'vn' takes 3 or more numbers, not %zu",
-                          numbers.count);
-    }
-    return reader_add_normal(reader, numbers.value);
+    return read_numbers(reader, "vn", 3, 0, &numbers) && reader_add_normal(reader, numbers.value);
 }
 
 /* A line of an attribute: counted, and read if it is of use and not read yet. */

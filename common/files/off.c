@@ -308,7 +308,7 @@ static bool read_face(struct model_reader *reader, const struct off_kind *kind, 
     return reader_add_faces(reader) && (!colored || reader_color_faces(reader, first, color));
 }
 
-/* What is left over tells that something was read amiss, or else is lost. */
+/* Anything left over was read wrongly, or would be lost. */
 static bool read_end(struct model_reader *reader, size_t faces) {
     struct word word;
     return !reader_next_word(reader, &word) ||

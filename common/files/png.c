@@ -126,7 +126,7 @@ static inline uint8_t paeth(uint8_t a, uint8_t b, uint8_t c) {
     return (uint8_t)(place <= low ? high : low_or_c);
 }
 
-/* What a filter expects in place of a byte. */
+/* What a filter expects instead of a byte. */
 static inline int predict(const unsigned filter, uint8_t a, uint8_t b, uint8_t c) {
     return filter == FILTER_NONE      ? 0
            : filter == FILTER_SUB     ? a
@@ -280,23 +280,20 @@ static bool next_chunk(const uint8_t *data, size_t size, size_t *position, struc
     return true;
 }
 
+/* 0 for a type that does not exist. */
 static size_t channel_count(unsigned color_type) {
-    switch (color_type) {
-    case COLOR_GREY_ALPHA:
-        return 2;
-    case COLOR_RGB:
-        return 3;
-    case COLOR_RGBA:
-        return 4;
-    default:
-        return 1;
-    }
+    static const uint8_t counts[] = {[COLOR_GREY] = 1,
+                                     [COLOR_RGB] = 3,
+                                     [COLOR_PALETTE] = 1,
+                                     [COLOR_GREY_ALPHA] = 2,
+                                     [COLOR_RGBA] = 4};
+    return color_type < sizeof counts ? counts[color_type] : 0;
 }
 
 static bool check_depth(const struct png *png, struct error *error) {
     bool small = png->depth == 1 || png->depth == 2 || png->depth == 4;
     bool packed = png->color_type == COLOR_GREY || png->color_type == COLOR_PALETTE;
-    if (png->color_type > COLOR_RGBA || png->color_type == 1 || png->color_type == 5) {
+    if (channel_count(png->color_type) == 0) {
         return error_set(error, "a PNG of an unknown colour type, %u", png->color_type);
     }
     bool large = png->depth == 16 && png->color_type != COLOR_PALETTE;
@@ -478,7 +475,7 @@ static void read_pixel(const struct png *png, const uint8_t *row, size_t x, uint
     bgra[3] = own_alpha ? level[channels - 1] : clear ? 0 : 255;
 }
 
-/* Rows as they are in most files: eight bits a channel, and no colour that stands for
+/* Rows as they are in most files: eight bits a channel, and no colour that means
  * transparent. */
 static bool has_plain_rows(const struct png *png) {
     return png->depth == 8 && !png->has_alpha_chunk &&
@@ -781,8 +778,8 @@ static bool append_frame_control(struct bytes *out, uint32_t sequence, const str
     return append_chunk(out, "fcTL", control, sizeof control, NULL, 0);
 }
 
-/* The compressed pixels of a frame: in IDAT for the first, whose fcTL has number 0, else in one
- * fdAT with the next number. */
+/* The compressed pixels of a frame: in IDAT for the first frame (its fcTL has number 0), in one
+ * fdAT with the next number for the others. */
 static bool append_frame_pixels(struct bytes *out, uint32_t sequence, const struct bytes *pixels) {
     uint8_t number[FRAME_NUMBER_SIZE];
     put_u32(number, sequence + 1);

@@ -56,7 +56,7 @@ struct polygon_cutter {
 
 /* Cut the polygon of `size` corners (3 or more, below UINT32_MAX), with coordinates of -1e120 to
  * 1e120. The triangles belong to the cutter and stay valid up to the next polygon. A convex polygon
- * becomes a fan around its first corner; so does one without area on its plane, of which nothing is
+ * becomes a fan around its first corner. One without area on its plane does, too; nothing of it is
  * seen. */
 enum polygon_result polygon_cut(struct polygon_cutter *cutter, const struct vec3 *corners,
                                 size_t size);

@@ -65,7 +65,7 @@ static void join_neighbours(size_t *lower, size_t faces, const struct side *side
 static bool wind_alike(struct model *model) {
     size_t faces = model->face_count;
     struct side *sides = malloc((3 * faces + 1) * sizeof *sides);
-    size_t *lower = malloc((2 * faces + 1) * sizeof *lower);
+    size_t *lower = calloc(2 * faces + 1, sizeof *lower);
     bool done = sides != NULL && lower != NULL;
     for (size_t i = 0; done && i < 3 * faces; i++) {
         sides[i] = side_of(model, (uint32_t)(i / 3), (int)(i % 3));

@@ -190,17 +190,12 @@ LANES_INLINE void cover_strips(const struct call_band *band, struct box *box, in
 
 /* ---- What is behind ---- */
 
-/* The rows of the band, counted from its lowest one, in which something is. */
-static struct span rows_in_band(const struct call_band *band, struct span rows) {
-    rows = span_overlap(rows, band->rows);
-    return (struct span){rows.begin - band->rows.begin, rows.end - band->rows.begin};
-}
-
-/* Find the farthest depth of a tile in a column of chunks; beyond the image nothing is drawn. */
-static double find_farthest(const struct call_band *band, int chunk, int tile) {
+/* Find the farthest depth of the tile that begins in a row of the band, in a column of chunks;
+ * beyond the image nothing is drawn. */
+static double find_farthest(const struct call_band *band, int chunk, int begin) {
     double least[CHUNK];
     int columns = (int)band->frame->pipeline->width - chunk * CHUNK;
-    int begin = tile * TILE_HEIGHT, rows = band->rows.end - band->rows.begin - begin;
+    int rows = band->rows.end - band->rows.begin - begin;
     uint32_t all = (UINT32_C(1) << (rows < TILE_HEIGHT ? rows : TILE_HEIGHT)) - 1;
     if ((band->touched[chunk] >> begin & all) != all) {
         return -INFINITY;
@@ -223,11 +218,12 @@ static double find_farthest(const struct call_band *band, int chunk, int tile) {
 
 /* After a call, where it has changed something. */
 static void update_farthest(const struct call_band *band) {
-    struct span columns = band->columns, rows = rows_in_band(band, band->changed_rows);
-    for (int x = columns.begin / CHUNK; x * CHUNK < columns.end; x++) {
-        double *farthest = band->chunks[x].farthest;
-        for (int tile = rows.begin / TILE_HEIGHT; tile * TILE_HEIGHT < rows.end; tile++) {
-            farthest[tile] = find_farthest(band, x, tile);
+    const struct frame *frame = band->frame;
+    struct span columns = band->columns, rows = band->changed_rows;
+    for (int y = rows.begin / TILE_HEIGHT; y * TILE_HEIGHT < rows.end; y++) {
+        for (int x = columns.begin / CHUNK; x * CHUNK < columns.end; x++) {
+            frame->farthest[(size_t)y * chunk_columns(frame) + (size_t)x] =
+                find_farthest(band, x, y * TILE_HEIGHT - band->rows.begin);
         }
     }
 }
@@ -247,9 +243,8 @@ LANES_INLINE void cover_piece(struct call_band *band, uint32_t number, struct co
     box.rows = span_overlap(box.rows, band->rows);
     box.cut = box.columns.begin > whole.begin || box.columns.end < whole.end;
     if (how.reordered) {
-        const struct screen_place place = {box.columns, rows_in_band(band, box.rows),
-                                           nearest_of_depths(piece->depth)};
-        if (is_behind(band->frame, band->chunks, &place)) {
+        const struct screen_place place = {box.columns, box.rows, nearest_of_depths(piece->depth)};
+        if (is_behind(band->frame, &place)) {
             band->stats[STAT_FACES_BEHIND]++;
             return;
         }
@@ -293,6 +288,18 @@ static void shade(const struct call_band *band) {
     }
 }
 
+/* Keep what is visible in some rows of the columns, for what is discarded. */
+static void keep_before(const struct call_band *band, struct span rows) {
+    size_t place = place_in_column(rows.begin - band->rows.begin, 0);
+    size_t count = (size_t)(rows.end - rows.begin) * CHUNK;
+    for (int x = band->columns.begin / CHUNK; x * CHUNK < band->columns.end; x++) {
+        const struct column *from = &band->chunks[x];
+        struct column *to = &band->scratch->before[x];
+        memcpy(to->depth + place, from->depth + place, count * sizeof *to->depth);
+        memcpy(to->number + place, from->number + place, count * sizeof *to->number);
+    }
+}
+
 /* Cover and shade each piece before the next one is covered. */
 static void draw_pieces(struct call_band *band) {
     const struct span numbers = band->numbers;
@@ -302,9 +309,7 @@ static void draw_pieces(struct call_band *band) {
         band->columns = span_overlap(box_centers(c[0].x, c[1].x, c[2].x),
                                      columns_of(&band->call->call.viewport));
         if (band->call->shader->discards) {
-            int first = band->columns.begin / CHUNK;
-            size_t count = (size_t)((band->columns.end + CHUNK - 1) / CHUNK - first);
-            memcpy(band->before + first, band->chunks + first, count * sizeof *band->chunks);
+            keep_before(band, span_overlap(box_centers(c[0].y, c[1].y, c[2].y), band->rows));
         }
         cover_piece(band, (uint32_t)i + 1, (struct cover_how){false, true});
         band->scratch->fetched[i + 1] = 1;
@@ -405,8 +410,8 @@ static bool next_call(struct call_band *band, size_t place) {
 
 static bool call_is_behind(const struct call_band *band) {
     struct screen_place place = band->call->place;
-    place.rows = rows_in_band(band, place.rows);
-    return band->frame->reordered && is_behind(band->frame, band->chunks, &place);
+    place.rows = span_overlap(place.rows, band->rows);
+    return band->frame->reordered && is_behind(band->frame, &place);
 }
 
 /* Cover the pieces of the round's calls in the band; those of earlier rounds are numbered only. */
@@ -441,13 +446,12 @@ static void shade_calls(struct call_band *band) {
 
 static struct call_band begin_band(struct frame *frame, size_t index, size_t worker) {
     int bottom = (int)index * BAND_HEIGHT, height = (int)frame->pipeline->height;
-    size_t columns = chunk_columns(frame), threads = workers_count(frame->workers);
+    size_t columns = chunk_columns(frame);
     return (struct call_band){
         .frame = frame,
         .rows = {bottom, height - bottom < BAND_HEIGHT ? height : bottom + BAND_HEIGHT},
         .touched = frame->touched + index * columns,
         .chunks = frame->columns + (frame->kept ? index : worker) * columns,
-        .before = frame->columns + (frame->discards ? threads + worker : 0) * columns,
         .scratch = &frame->scratch[worker],
         .stats = frame->band_stats[index],
     };

@@ -31,7 +31,7 @@ _Static_assert(BAND_HEIGHT <= 32, "`touched` has a bit for each row");
 
 /* A row is divided into chunks of this many pixels, for however many LANES: what is touched is
  * known by the chunk; and what is farthest, by the tile of some chunks one above the other. */
-enum { CHUNK = 16, TILE_HEIGHT = 8, BAND_TILES = BAND_HEIGHT / TILE_HEIGHT };
+enum { CHUNK = 16, TILE_HEIGHT = 8 };
 _Static_assert(BAND_HEIGHT % TILE_HEIGHT == 0, "no tile lies in two bands");
 
 /* ---- Draw calls and pieces ---- */
@@ -106,9 +106,8 @@ struct block {
 struct column {
     double depth[BAND_HEIGHT * CHUNK]; /* minus infinity: nothing is drawn */
     /* Of the piece that is seen: see struct scratch; 0 where nothing is drawn. One more is read
-     * behind the last (see find_runs()), and 8 make the column whole cache lines. */
-    uint32_t number[BAND_HEIGHT * CHUNK + 8];
-    double farthest[BAND_TILES]; /* of each tile: at most every pixel's depth */
+     * behind the last (see find_runs()), and the others fill a cache line. */
+    uint32_t number[BAND_HEIGHT * CHUNK + CACHE_LINE / sizeof(uint32_t)];
 };
 
 _Static_assert(sizeof(struct column) % CACHE_LINE == 0, "each column is aligned");
@@ -120,9 +119,10 @@ struct scratch {
     /* By number: 0 while nothing of the piece is visible, otherwise 1; and once its draw call is
      * shaded, what was fetched for it: the colour of a flat piece, or where its planes are. */
     uint32_t *fetched;
-    uint32_t *visible; /* the numbers of a draw call's visible pieces */
-    real *planes;      /* and their planes: see planes_of() */
-    size_t piece_capacity, fetched_capacity, visible_capacity, plane_capacity;
+    uint32_t *visible;     /* the numbers of a draw call's visible pieces */
+    real *planes;          /* and their planes: see planes_of() */
+    struct column *before; /* where a shader discards: what was visible without its piece */
+    size_t piece_capacity, fetched_capacity, visible_capacity, plane_capacity, before_capacity;
 };
 
 /* A band that is drawn, one draw call after the other: what a shade_function works on. */
@@ -131,7 +131,6 @@ struct call_band {
     struct span rows;
     uint32_t *touched;     /* as in the frame, from left to right */
     struct column *chunks; /* of its rows, likewise */
-    struct column *before; /* where a shader discards: what was visible without its piece */
     struct scratch *scratch;
     uint64_t *stats;
     const struct recorded_call *call;
@@ -171,8 +170,7 @@ struct frame {
     size_t sorted_count;   /* pieces in the lists of all `sorted` */
     atomic_bool exhausted; /* a thread ran out of memory */
     /* Drawn: */
-    struct column *columns; /* a row of them for each thread, or for each band if `kept`; and, where
-                             * a shader discards, for each thread one more */
+    struct column *columns; /* a row of them for each thread, or for each band if `kept` */
     size_t column_count;
     struct scratch *scratch; /* one a thread */
     uint64_t (*band_stats)[PIPELINE_STATS];
@@ -180,6 +178,8 @@ struct frame {
     /* Of each column of each band, bit i: something may be drawn in row i. And what was so in the
      * last frame. */
     uint32_t *touched, *last_touched;
+    /* Of each tile of the image, row after row: at most the depth of any pixel. If `reordered`. */
+    double *farthest;
     struct image last_image; /* in which that was drawn */
     bool knows_last;         /* this image is that one, and nobody else has written to it */
 };
@@ -201,6 +201,10 @@ static inline size_t chunk_columns(const struct frame *frame) {
 /* Where a pixel of a band is in its column. */
 static inline size_t place_in_column(int row, int x) {
     return (size_t)row * CHUNK + (size_t)x % CHUNK;
+}
+
+static inline size_t tile_count(const struct frame *frame) {
+    return band_count(frame) * (BAND_HEIGHT / TILE_HEIGHT) * chunk_columns(frame);
 }
 
 static inline struct span span_around(struct span a, struct span b) {
@@ -233,14 +237,12 @@ static inline struct span rows_of(const struct rectangle *viewport) {
     return (struct span){viewport->y, viewport->y + viewport->height};
 }
 
-/* Is everything in a place behind what is shown in every tile that it reaches? Rows are counted
- * from the lowest one of the first of these bands. */
-static inline bool is_behind(const struct frame *frame, const struct column *bands,
-                             const struct screen_place *place) {
+/* Is everything in a place behind what is shown in every tile that it reaches? */
+static inline bool is_behind(const struct frame *frame, const struct screen_place *place) {
     for (int y = place->rows.begin / TILE_HEIGHT; y * TILE_HEIGHT < place->rows.end; y++) {
-        const struct column *band = bands + (size_t)(y / BAND_TILES) * chunk_columns(frame);
+        const double *farthest = frame->farthest + (size_t)y * chunk_columns(frame);
         for (int x = place->columns.begin / CHUNK; x * CHUNK < place->columns.end; x++) {
-            if (!(place->nearest < band[x].farthest[y % BAND_TILES])) {
+            if (!(place->nearest < farthest[x])) {
                 return false;
             }
         }
@@ -250,8 +252,7 @@ static inline bool is_behind(const struct frame *frame, const struct column *ban
 
 /* The same, of what the rounds before this one have covered. */
 static inline bool is_hidden(const struct frame *frame, const struct screen_place *place) {
-    return frame->round.begin > 0 && !place_is_empty(place) &&
-           is_behind(frame, frame->columns, place);
+    return frame->round.begin > 0 && !place_is_empty(place) && is_behind(frame, place);
 }
 
 /* ---- Positions ---- */

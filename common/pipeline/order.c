@@ -135,6 +135,7 @@ void pipeline_order(struct frame *frame) {
     /* A shader that discards needs the order of drawing. */
     frame->reordered = frame->pipeline->skip && !frame->discards && calls_overlap(frame);
     if (frame->reordered) {
+        depth_clear(frame->farthest, tile_count(frame));
         qsort(frame->calls, frame->call_count, sizeof *frame->calls, compare_calls);
     }
 }

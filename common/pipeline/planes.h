@@ -63,7 +63,7 @@ LANES_INLINE struct planes_together edge_planes(doubles ax, doubles ay, doubles 
                                     (bx - ax) * SUBPIXELS};
 }
 
-/* The weights of the corners times the area: edge function i is that of the side opposite corner i.
+/* The weights of the corners times the area: edge function i belongs to the edge opposite corner i.
  * Relative to the pixel that corner 0 is in, (x0,y0). */
 LANES_INLINE void find_edge_planes(const struct corners_together *of, ints *x0, ints *y0,
                                    struct planes_together edge[3]) {

@@ -29,20 +29,7 @@ enum { IS_LITTLE_ENDIAN = 0 };
 
 /* ---- Fetching: once for each visible piece of a draw call ---- */
 
-/* A corner of a face becomes corner c of number i of those. */
-KERNEL void put_corner(const struct call_band *band, const struct shader *shader, uint32_t face,
-                       size_t corner, struct corners_together *to, int c, size_t i) {
-    const struct recorded_call *call = band->call;
-    size_t position = call->call.model->faces[face].corner[corner].position;
-    double varyings[VARYING_LIMIT];
-    shader->vertex(band->uniforms, face, shader->flat ? 0 : corner, varyings);
-    to->recip_w[c][i] = band->frame->recip_w[call->first_position + position];
-    for (size_t k = 0; k < shader->varying_count; k++) {
-        to->varyings[c][k][i] = varyings[k];
-    }
-}
-
-/* The same for the corners of a part of a clipped face: mixed from those of the face. */
+/* The corners of a part of a clipped face become number i of those: mixed from those of the face. */
 KERNEL void put_clipped_corners(const struct call_band *band, const struct shader *shader,
                                 const struct piece *piece, struct corners_together *to, size_t i) {
     struct polygon polygon = pipeline_clip_face(band->call, piece->face);
@@ -65,11 +52,19 @@ KERNEL void put_clipped_corners(const struct call_band *band, const struct shade
 /* The corners of a piece become number i of those. */
 KERNEL void put_corners(const struct call_band *band, const struct shader *shader,
                         const struct piece *piece, struct corners_together *to, size_t i) {
+    const struct corner *corners = band->call->call.model->faces[piece->face].corner;
+    const double *recip_w = band->frame->recip_w + band->call->first_position;
     for (int c = 0; c < 3; c++) {
+        size_t corner = corner_of_face(piece, c);
+        double varyings[VARYING_LIMIT];
         to->x[c][i] = piece->corner[c].x;
         to->y[c][i] = piece->corner[c].y;
         if (piece->part == 0) {
-            put_corner(band, shader, piece->face, corner_of_face(piece, c), to, c, i);
+            shader->vertex(band->uniforms, piece->face, shader->flat ? 0 : corner, varyings);
+            to->recip_w[c][i] = recip_w[corners[corner].position];
+            for (size_t k = 0; k < shader->varying_count; k++) {
+                to->varyings[c][k][i] = varyings[k];
+            }
         }
     }
     if (piece->part != 0) {
@@ -328,7 +323,7 @@ KERNEL bool gather_pixels(const struct call_band *band, const struct shader *sha
 KERNEL lanes_int take_back(const struct call_band *band, const struct pixels *pixels,
                            lanes_mask kept) {
     struct column *now = &band->chunks[pixels->x / CHUNK];
-    const struct column *before = &band->before[pixels->x / CHUNK];
+    const struct column *before = &band->scratch->before[pixels->x / CHUNK];
     lanes_int drawn = pixels->drawn;
     for (int i = 0; i < LANES; i++) {
         if (drawn[i] != 0 && !lanes_is_set(kept, i)) {

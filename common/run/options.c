@@ -241,7 +241,7 @@ static void PRINTF_LIKE(2, 3) add_detail(struct details *details, const char *fo
     va_end(arguments);
 }
 
-/* The numbers of a list, of which scene, with range and default. */
+/* The numbers of a list: their scene, range and default. */
 static void add_values(struct details *details, const struct scene_value *value,
                        const char *scene) {
     for (; value != NULL && value->name != NULL; value++) {

@@ -175,7 +175,7 @@ static bool find_color(struct parts *parts, const float color[3], struct texture
     return true;
 }
 
-/* The normal map of a part, whose material has one. */
+/* Give a part the normal map of its material. */
 static bool give_normal_map(struct parts *parts, struct drawing_part *part,
                             const struct model_material *material) {
     struct error why = {0};

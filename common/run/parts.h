@@ -36,9 +36,9 @@ struct parts {
 bool parts_make(struct parts *parts, struct model *model, struct error *missing,
                 struct error *error);
 
-/* How many pictures would lie side by side across a model whose whole surface had as many in an
- * area as these faces have: 1 for a picture that goes once around it. Not a number where there is
- * no surface. */
+/* How often a picture is repeated across the model, if all of its surface had as many pictures to
+ * an area as these faces: 1 for a picture that goes once around. Not a number where there is no
+ * surface. */
 double parts_repeats(const struct model *faces, const struct model *whole, bool two_sided);
 
 /* Make texture coordinates for materials that scale or move them. Once, before the parts. False

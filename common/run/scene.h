@@ -53,7 +53,7 @@ struct counter {
 
 /* The faces of one material. */
 struct drawing_part {
-    struct model model; /* of these faces alone; it shares all else with the whole */
+    struct model model; /* these faces alone; it shares the rest with the whole */
     struct texture diffuse, normal_map, specular,
         ambient;                   /* shared; empty where there is none, but diffuse */
     double specular_weight, power; /* of the material; negative or 0: unknown */
@@ -98,9 +98,10 @@ void drawing_count(struct drawing *drawing, const char *name, uint64_t amount);
 /* Add a line, as printf makes it, to what is said about the pixel; it is cut where that is full. */
 void drawing_note(struct drawing *drawing, const char *format, ...) PRINTF_LIKE(2, 3);
 
-/* Set the model and its textures to those of part `i`, from 0. False behind the last one; then they
- * are again those of the whole model. A model without materials is one part. So a scene draws a
- * model of several materials: for (size_t i = 0; drawing_take_part(drawing, i); i++). */
+/* Set the drawing's model and textures to part `i`, counted from 0. Behind the last part they are
+ * set to the whole model again, and the result is false. A model without materials is one part. So
+ * a scene draws a model of several materials:
+ * for (size_t i = 0; drawing_take_part(drawing, i); i++). */
 bool drawing_take_part(struct drawing *drawing, size_t i);
 
 /* The scene's number of that name, as --set has chosen it, or its default; 0 where the scene has no

@@ -72,13 +72,9 @@ bool drawing_take_part(struct drawing *drawing, size_t i) {
 /* ---- Numbers of scenes ---- */
 
 double drawing_value(const struct drawing *drawing, const char *name) {
-    const struct scene_value *values = drawing->values;
-    for (size_t i = 0; values != NULL && values[i].name != NULL; i++) {
-        if (strcmp(values[i].name, name) == 0) {
-            return drawing->value[i];
-        }
-    }
-    return 0;
+    const struct chosen_value wanted = {.name = name, .length = strlen(name)};
+    const struct scene_value *value = find_value(drawing->values, &wanted);
+    return value != NULL ? drawing->value[value - drawing->values] : 0;
 }
 
 struct vec2 drawing_point(const struct drawing *drawing, const char *name) {
@@ -206,18 +202,15 @@ static bool load_model(struct run *run, const struct scene *scene, struct error 
     }
     unload_model(run);
     run->model_parts = parts;
-    bool done;
-    if (run->input != NULL) {
-        done = model_read_parts(&run->model, file, parts, error);
-    } else {
-        char *path = string_format("%s/%s", MODELS_DIRECTORY, file);
-        if (path == NULL) {
-            return error_out_of_memory(error);
-        }
-        done = file_exists(path) ? model_read_parts(&run->model, path, parts, error)
-                                 : error_set(error, "%s: no such file; `make` sculpts it", path);
-        free(path);
+    char *path = run->input != NULL ? string_format("%s", file)
+                                    : string_format("%s/%s", MODELS_DIRECTORY, file);
+    if (path == NULL) {
+        return error_out_of_memory(error);
     }
+    bool done = run->input != NULL || file_exists(path)
+                    ? model_read_parts(&run->model, path, parts, error)
+                    : error_set(error, "%s: no such file; `make` sculpts it", path);
+    free(path);
     memcpy(run->model.texture_files, run->options->textures, sizeof run->options->textures);
     run->has_materials = (needs & NEEDS_DIFFUSE) != 0 &&
                          run->options->textures[MODEL_DIFFUSE] == NULL &&

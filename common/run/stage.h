@@ -19,7 +19,7 @@ struct loaded {
 struct run {
     const struct program *program;
     const struct options *options; /* of the command line, which say how a model is placed */
-    const struct options *asked;   /* the same, or else those of a request of --live */
+    const struct options *asked;   /* the same, or the options of a request of --live */
     const char *input;             /* a model instead of the course's own; NULL: none */
     const struct text_scene *text; /* NULL unless it is a text scene */
     unsigned needs; /* of all scenes that will be drawn, so that a model is read once; 0: unknown */

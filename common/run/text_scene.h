@@ -1,5 +1,5 @@
 /*
- * Text scenes: what steps 1 and 3 draw, written down by hand.
+ * Text scenes: what lessons 1 and 3 draw, written down by hand.
  *
  *     # a comment
  *     size 100 100

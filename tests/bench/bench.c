@@ -24,15 +24,6 @@ enum { SECONDS_DEFAULT = 10 };
 
 /* ---- For the lessons ---- */
 
-void *bench_memory(size_t count, size_t size) {
-    void *memory = calloc(count, size);
-    if (memory == NULL) {
-        fprintf(stderr, "benchmark: out of memory\n");
-        exit(1);
-    }
-    return memory;
-}
-
 bool bench_read_model(struct model *model, const char *name, struct error *error) {
     char path[1024];
     *model = (struct model){0};

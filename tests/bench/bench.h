@@ -22,6 +22,7 @@
 #define TESTS_BENCH_H
 
 #include "base/error.h"
+#include "memory.h"
 #include "model.h"
 
 #include <float.h>
@@ -92,7 +93,7 @@ enum { BENCH_VERSION_LIMIT = 32, BENCH_PANEL_LIMIT = 8, BENCH_SERIES_LIMIT = 4 }
 
 struct bench_lesson {
     const char *step;  /* "step01_line": name of the directory, and of the chart's file */
-    const char *title; /* heading of the chart: "Step 1: a line" */
+    const char *title; /* heading of the chart: "Lesson 1: a line" */
     /* Fill static variables with what the versions need; it is kept until the program ends. False,
      * with a message, when that fails. */
     bool (*setup)(struct error *error);
@@ -110,9 +111,6 @@ struct bench_lesson {
 /* All of them in order, then NULL. The Makefile writes this list from the names of the files; that
  * of stepNN.c is called bench_stepNN. */
 extern const struct bench_lesson *const bench_lessons[];
-
-/* So much memory, all 0, for `setup`; without it the program ends. */
-void *bench_memory(size_t count, size_t size);
 
 /* Read a model of build/models, such as "bust.obj". The caller frees it. */
 bool bench_read_model(struct model *model, const char *name, struct error *error);

@@ -2,8 +2,8 @@
 ## What the course measures:
 ##   make bench                  run time against error, a chart for each lesson (STEP=05 for one)
 ##   make charts                 put these charts into the lessons
-##   make bench-frame            the time of a frame beside Mesa's llvmpipe (OPTIONS=--help)
-##   make counts                 the instructions of each scene, beside those committed (STEP=05)
+##   make bench-frame            the time of a frame next to Mesa's llvmpipe (OPTIONS=--help)
+##   make counts                 the instructions of each scene, next to those committed (STEP=05)
 .PHONY: bench charts bench-frame counts
 
 # Stress and benchmarks share out their cases with OpenMP, where the compiler has it.
@@ -48,7 +48,7 @@ charts:
 
 # ---- Frames, instructions ----
 
-# With Mesa's renderer beside ours where it is installed. Whether it is there is asked when it
+# With Mesa's renderer next to ours where it is installed, which is asked when it
 # matters.
 ifneq ($(filter bench bench-frame $(BUILD)/bench-frame,$(MAKECMDGOALS)),)
 HAS_MESA := $(shell printf '%s\n' '\#include <EGL/egl.h>' '\#include <GL/glcorearb.h>' | \

@@ -19,7 +19,7 @@ enum {
     PLOT_RIGHT = 800,
     PLOT_TOP = 44,            /* below the panel's top */
     PLOT_BOTTOM = 380,        /* also below the panel's top */
-    PLACE_WIDTH = 200,        /* of the place beside the scale, for errors of 0 */
+    PLACE_WIDTH = 200,        /* of the place next to the scale, for errors of 0 */
     PLACE_WIDTH_SERIES = 110, /* the same where labels are short */
     TICK_LIMIT = 64,
     LABEL_HEIGHT = 15,

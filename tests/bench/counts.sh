@@ -1,26 +1,26 @@
 #!/bin/sh
 # How many instructions does each scene take? Counted by callgrind: the same in every run, however
 # busy the machine is. Writes tests/bench/counts.txt, and prints it with what was committed there and the
-# change beside it. No number makes it fail: another compiler gives others. Called by `make counts`.
+# change. No number makes it fail: another compiler gives others. Called by `make counts`.
 #
 #   tests/bench/counts.sh BUILD [STEP]    BUILD: the build directory
 #                                   STEP: only this lesson (05); tests/bench/counts.txt stays as it is
 cd "$(dirname "$0")/../.." || exit 1
 build=${1:-build}/counts
 chosen=$2
-march=-march=x86-64-v3 # valgrind does not know all that -march=native may mean
+march=-march=x86-64-v3 # valgrind does not know everything that -march=native may mean
 unset MAKEFLAGS MFLAGS # of the make that calls: other settings would give other numbers
 if ! command -v valgrind >/dev/null; then
     echo 'counts: valgrind is missing; on Debian: apt-get install valgrind' >&2
     exit 2
 fi
 
-# -g changes no instruction; it tells from which file each comes.
+# -g changes no instruction; it says from which file each comes.
 make -s BUILD="$build" CC=gcc CFLAGS='-O3 -g' MARCH=$march REAL= LANES= programs models || exit 1
 git show HEAD:./tests/bench/counts.txt >"$build/committed" 2>/dev/null ||
     : >"$build/committed"
 
-# count STEP SCENE: a line of the table. A function's cost is here that of all that it calls, too;
+# count STEP SCENE: a line of the table. A function's cost includes that of the functions it calls;
 # but `own` adds up the lesson's own functions, those of main.c and scenes.h, without what they call.
 count() {
     rm -rf "$build/out"

@@ -11,25 +11,42 @@
 #define COURSE_BUILD "build"
 #endif
 
+struct error figure_error;
+static const char *program, *directory;
+
+void figure_fail(void) {
+    fprintf(stderr, "%s: %s\n", program, figure_error.message);
+    exit(1);
+}
+
+void *figure_memory(size_t count, size_t size) {
+    void *memory = calloc(count, size);
+    figure_need(memory != NULL || error_out_of_memory(&figure_error));
+    return memory;
+}
+
+static struct image new_image(size_t width, size_t height, enum image_format format) {
+    struct image image;
+    figure_need(image_create(&image, width, height, format, &figure_error));
+    return image;
+}
+
+struct image figure_image(size_t width, size_t height) {
+    return new_image(width, height, IMAGE_BGR);
+}
+
 /* ---- Saving ---- */
 
-char *figure_path(const char *directory, const char *name, struct error *error) {
-    size_t size = strlen(directory) + strlen(name) + sizeof "/.png";
-    char *path = malloc(size);
-    if (path == NULL) {
-        error_out_of_memory(error);
-        return NULL;
-    }
-    snprintf(path, size, "%s/%s.png", directory, name);
+const char *figure_path(const char *name) {
+    static char path[1024];
+    int length = snprintf(path, sizeof path, "%s/%s.png", directory, name);
+    figure_need(length < (int)sizeof path ||
+                error_set(&figure_error, "%s: the name is too long", directory));
     return path;
 }
 
-bool figure_save(const struct image *image, const char *directory, const char *name,
-                 struct error *error) {
-    char *path = figure_path(directory, name, error);
-    bool done = path != NULL && png_write(image, path, error);
-    free(path);
-    return done;
+void figure_save(const struct image *image, const char *name) {
+    figure_need(png_write(image, figure_path(name), &figure_error));
 }
 
 struct detail detail_of_whole(const struct image *image, int zoom, int grid) {
@@ -50,37 +67,23 @@ static void copy_detail(struct image *to, int left, int bottom, const struct ima
     }
 }
 
-bool figure_save_detail(const struct image *image, struct detail detail, const char *directory,
-                        const char *name, struct error *error) {
-    struct image large;
+void figure_save_detail(const struct image *image, struct detail detail, const char *name) {
     size_t width = (size_t)(detail.width * detail.zoom);
     size_t height = (size_t)(detail.height * detail.zoom);
-    if (!image_create(&large, width, height, image->format, error)) {
-        return false;
-    }
+    struct image large = new_image(width, height, image->format);
     copy_detail(&large, 0, 0, image, detail);
-    bool done = figure_save(&large, directory, name, error);
-    image_free(&large);
-    return done;
+    figure_save(&large, name);
 }
 
 /* ---- Panels side by side ---- */
 
-bool sheet_create(struct sheet *s, struct error *error) {
+void sheet_create(struct sheet *s) {
     size_t width = s->columns * (s->width + s->gap) - s->gap;
     size_t height = s->rows * (s->height + s->gap) - s->gap;
     enum image_format format = s->format != 0 ? s->format : IMAGE_BGR;
-    if (!image_create(&s->panel, s->width, s->height, format, error) ||
-        !image_create(&s->image, width, height, format, error)) {
-        return false;
-    }
+    s->panel = new_image(s->width, s->height, format);
+    s->image = new_image(width, height, format);
     image_clear(&s->image, color_grey(255));
-    return true;
-}
-
-void sheet_free(struct sheet *sheet) {
-    image_free(&sheet->panel);
-    image_free(&sheet->image);
 }
 
 void sheet_add_detail(struct sheet *s, const struct image *image, struct detail detail) {
@@ -95,13 +98,6 @@ void sheet_add(struct sheet *sheet) {
     image_clear(&sheet->panel, color_grey(0));
 }
 
-bool sheet_end(struct sheet *sheet, bool done, const char *directory, const char *name,
-               struct error *error) {
-    done = done && figure_save(&sheet->image, directory, name, error);
-    sheet_free(sheet);
-    return done;
-}
-
 /* ---- Two versions of one picture ---- */
 
 size_t different_pixels(const struct image *a, const struct image *b) {
@@ -112,18 +108,10 @@ size_t different_pixels(const struct image *a, const struct image *b) {
     return different;
 }
 
-bool comparison_create(struct comparison *comparison, size_t width, size_t height,
-                       struct error *error) {
-    *comparison = (struct comparison){0};
-    return image_create(&comparison->first, width, height, IMAGE_GREY, error) &&
-           image_create(&comparison->second, width, height, IMAGE_GREY, error) &&
-           image_create(&comparison->shown, width, height, IMAGE_BGR, error);
-}
-
-void comparison_free(struct comparison *comparison) {
-    image_free(&comparison->first);
-    image_free(&comparison->second);
-    image_free(&comparison->shown);
+void comparison_create(struct comparison *comparison, size_t width, size_t height) {
+    *comparison = (struct comparison){.first = new_image(width, height, IMAGE_GREY),
+                                      .second = new_image(width, height, IMAGE_GREY),
+                                      .shown = new_image(width, height, IMAGE_BGR)};
 }
 
 void comparison_show(struct comparison *c, struct color both) {
@@ -147,24 +135,18 @@ void comparison_show(struct comparison *c, struct color both) {
 
 /* ---- The program ---- */
 
-/* The tables must have reached whoever reads them. */
-static bool flush_tables(struct error *error) {
-    return (fflush(stdout) == 0 && ferror(stdout) == 0) ||
-           error_set(error, "cannot write to standard output");
-}
-
 int main(int argc, char **argv) {
-    struct error error = {0};
-    struct model bust = {0};
+    struct model bust;
     if (argc != 2) {
         fprintf(stderr, "usage: %s OUTDIR\n", argv[0]);
         return 2;
     }
-    bool done = model_read(&bust, COURSE_BUILD "/models/bust.obj", &error) &&
-                draw_figures(argv[1], &bust, &error) && flush_tables(&error);
-    model_free(&bust);
-    if (!done) {
-        fprintf(stderr, "%s: %s\n", argv[0], error.message);
-    }
-    return done ? 0 : 1;
+    program = argv[0];
+    directory = argv[1];
+    figure_need(model_read(&bust, COURSE_BUILD "/models/bust.obj", &figure_error));
+    draw_figures(&bust);
+    /* The tables must have reached whoever reads them. */
+    figure_need((fflush(stdout) == 0 && ferror(stdout) == 0) ||
+                error_set(&figure_error, "cannot write to standard output"));
+    return 0;
 }

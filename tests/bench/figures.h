@@ -7,12 +7,13 @@
  *     #define LESSON "../step05_zbuffer/main.c"
  *     #include "lesson.h"
  *
- *     bool draw_figures(const char *directory, struct model *bust, struct error *error) {
+ *     void draw_figures(struct model *bust) {
  *         ...
- *         return figure_save(&image, directory, "holes", error);
+ *         figure_save(&image, "holes");
  *     }
  *
- * The main() is here: it reads the bust, calls draw_figures() and says what failed.
+ * The main() is here: it reads the bust and calls draw_figures(). What fails ends the program, with
+ * a message; and what a figure is made of is kept until then.
  */
 #ifndef TESTS_FIGURES_H
 #define TESTS_FIGURES_H
@@ -24,18 +25,29 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* Written by the lesson: save its figures as DIRECTORY/NAME.png. `bust` is the course's model; it
- * may be changed, and is freed afterwards. */
-bool draw_figures(const char *directory, struct model *bust, struct error *error);
+/* Written by the lesson: save its figures. `bust` is the course's model; it may be changed. */
+void draw_figures(struct model *bust);
+
+/* Whatever fails says why in figure_error: figure_need(model_need_normals(bust, &figure_error)). */
+extern struct error figure_error;
+_Noreturn void figure_fail(void);
+
+static inline void figure_need(bool done) {
+    if (!done) {
+        figure_fail();
+    }
+}
+
+void *figure_memory(size_t count, size_t size);         /* all 0 */
+struct image figure_image(size_t width, size_t height); /* IMAGE_BGR, black */
 
 /* ---- Saving ---- */
 
-/* "DIRECTORY/NAME.png", to be freed by the caller; NULL when memory runs out. */
-char *figure_path(const char *directory, const char *name, struct error *error);
+/* "OUTDIR/NAME.png" */
+const char *figure_path(const char *name);
 
-/* Save an image as DIRECTORY/NAME.png. */
-bool figure_save(const struct image *image, const char *directory, const char *name,
-                 struct error *error);
+/* Save an image there. */
+void figure_save(const struct image *image, const char *name);
 
 /* A part of an image in which every pixel is a block of `zoom` x `zoom`. */
 struct detail {
@@ -47,8 +59,7 @@ struct detail {
 /* All of an image, enlarged. */
 struct detail detail_of_whole(const struct image *image, int zoom, int grid);
 
-bool figure_save_detail(const struct image *image, struct detail detail, const char *directory,
-                        const char *name, struct error *error);
+void figure_save_detail(const struct image *image, struct detail detail, const char *name);
 
 /* ---- Panels side by side ---- */
 
@@ -64,17 +75,11 @@ struct sheet {
     size_t count;             /* panels so far */
 };
 
-/* False when memory runs out; sheet_free() must be called even then. */
-bool sheet_create(struct sheet *sheet, struct error *error);
-void sheet_free(struct sheet *sheet);
+void sheet_create(struct sheet *sheet);
 
 /* The next panel: what was drawn into `panel`, or a detail that fills a panel. */
 void sheet_add(struct sheet *sheet);
 void sheet_add_detail(struct sheet *sheet, const struct image *image, struct detail detail);
-
-/* Save the figure if all panels are `done`, and free it either way. */
-bool sheet_end(struct sheet *sheet, bool done, const char *directory, const char *name,
-               struct error *error);
 
 /* ---- Two versions of one picture ---- */
 
@@ -88,10 +93,7 @@ struct comparison {
     size_t both, only_first, only_second; /* pixels */
 };
 
-/* False when memory runs out; comparison_free() must be called even then. */
-bool comparison_create(struct comparison *comparison, size_t width, size_t height,
-                       struct error *error);
-void comparison_free(struct comparison *comparison);
+void comparison_create(struct comparison *comparison, size_t width, size_t height);
 
 /* Count and show: orange where only the first version drew, blue where only the second one did. */
 void comparison_show(struct comparison *comparison, struct color both);

@@ -108,7 +108,7 @@ static bool call_make(const struct options *options, const char *target,
                               drawn_message((const char *)result->messages.data).text);
 }
 
-/* Did make build all that it was told to? */
+/* Did make build everything asked for? */
 static bool make_succeeded(const struct run_result *result) {
     return result->end == RUN_EXITED && result->number == 0;
 }

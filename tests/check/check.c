@@ -128,7 +128,7 @@ static int check(const struct options *options, const struct scene_table *table)
     result.note = options->note;
     result.references = options->references;
     done = (run_caught_signal() != 0 || export_all(options, &result)) && done;
-    /* A person at a terminal is not told of failure while something is only to do. */
+    /* At a terminal, what is only to do is no failure. */
     bool unfinished = options->person && report_is_unfinished(&result);
     int status = !done || result.cannot_work        ? EXIT_CANNOT_WORK
                  : result.failed > 0 && !unfinished ? EXIT_FAILED

@@ -1,4 +1,4 @@
-/* Mistakes that no picture tells: see counters.h. */
+/* Mistakes that no picture shows: see counters.h. */
 #include "counters.h"
 
 #include <stdio.h>
@@ -46,7 +46,7 @@ static bool add_counter(struct counted *counted, const char *line, size_t length
     return (size_t)written < room;
 }
 
-/* Add all that is counted in the scene. False where that is nothing, or cannot be told. */
+/* Add everything counted in the scene. False where nothing is, or it cannot be found out. */
 static bool add_counters(struct counted *counted, const char *output, const char *scene) {
     const size_t prefix = strlen(scene);
     for (size_t length; *output != '\0'; output += length + (output[length] == '\n')) {

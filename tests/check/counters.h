@@ -1,9 +1,9 @@
 /*
- * Which of the lessons' known mistakes a program makes, where no picture tells it: the pictures are
- * right and the work is not, nothing is drawn, or the program ends for a division by 0. Then it is
- * told by all that it counts there with --stats, or by which pictures of the lesson are right.
+ * Which of the lessons' known mistakes a program makes, where no picture shows it: the pictures are
+ * right and the work is not, nothing is drawn, or the program ends for a division by 0. Then the
+ * check compares what the program counts with --stats, or which pictures of the lesson are right.
  *
- * Each is a text, which is also the sign of a mistake (mistakes.h):
+ * Either is a text, which is also the sign of a mistake (mistakes.h):
  *
  *     SCENE:-:COUNTERS    a counter of the scene is wrong, and no picture: what the program counts
  *                         here, as in pixels_tested=5,pixels_written=0
@@ -11,8 +11,8 @@
  *                         r right, b blank, d none for a division by 0
  *
  * A wrong diagnosis is worse than none. So a program makes such a mistake only when the text is the
- * same, not more than four mistakes have it, no picture is wrong in another way, which tells more,
- * and, where one is blank, nothing is to do.
+ * same, not more than four mistakes have it, no picture is wrong in another way (which would say
+ * more), and, where one is blank, nothing is to do.
  */
 #ifndef TESTS_CHECK_COUNTERS_H
 #define TESTS_CHECK_COUNTERS_H
@@ -29,9 +29,8 @@ struct counted {
     char text[COUNTED_LIMIT];
 };
 
-/* What may be told of an item of the result that fails: of a counter, or of a picture that is blank
- * or missing. False: it tells nothing. `output` is what the program has printed with --stats, which
- * only counters need. */
+/* The text of an item that fails: a counter, or a picture that is blank or missing. False: it has
+ * none. `output` is what the program has printed with --stats, which only counters need. */
 bool counted_of(struct counted *counted, const struct step_result *result,
                 const struct item_result *item, const char *output);
 

@@ -9,7 +9,7 @@
 
 /* ---- Text ---- */
 
-/* What the writers share: after a failure nothing more is written, and the end tells. */
+/* What the writers share: after a failure nothing more is written, and the end says so. */
 struct writer {
     struct bytes *report;
     escape_function *escape; /* what is written for %s */

@@ -59,7 +59,7 @@ static const char *access_of(const char *report) {
 static void describe_frame(struct result_text *text, const char *step, const char *report) {
     char directory[SCENE_NAME_LIMIT + 2];
     snprintf(directory, sizeof directory, "%s/", step);
-    const char *end = strstr(report, "\n\n"); /* of the first stack: others tell of older events */
+    const char *end = strstr(report, "\n\n"); /* of the first stack: others are of older events */
     const char *place = strstr(report, directory);
     if (place == NULL || (end != NULL && place > end)) {
         result_say(text, "%s/main.c: it", step);

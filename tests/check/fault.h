@@ -11,9 +11,9 @@
 
 #include <stdbool.h>
 
-/* Add to `text` what these messages (with a NUL at their end, or NULL) tell of a fault in the
+/* Add to `text` what these messages (with a NUL at their end, or NULL) say of a fault in the
  * step's program, like `step02_wireframe/main.c:120: line() reads beyond the end of an array`.
- * False, with nothing added, when they tell of none. */
+ * False, with nothing added, when they name none. */
 bool fault_describe(struct result_text *text, const char *step, const char *messages);
 
 #endif

@@ -77,7 +77,7 @@ static void describe_first(struct item_result *item, const struct tally *tally,
                item->wanted.b);
 }
 
-/* Judge a picture that is not exact by its limits. Returns the pixels to be told about. */
+/* Judge a picture that is not exact by its limits. Returns the pixels to report. */
 static const struct tally *judge_shares(struct item_result *item,
                                         const struct checked_scene *scene) {
     const struct comparison *shares = &item->shares;
@@ -480,7 +480,7 @@ static bool judge_work(const struct judging *judging, struct item_result *item,
 }
 
 /* Let the program draw something new in two ways that must give the same picture. The first
- * relation that does not hold is told. */
+ * relation that does not hold is reported. */
 static bool judge_relations(const struct judging *judging, const struct checked_work *work,
                             struct item_result *item, struct error *error) {
     for (int i = 0; i < RELATION_COUNT; i++) {
@@ -630,7 +630,7 @@ static void tell_likenesses(const struct judging *judging) {
     }
 }
 
-/* Does item i fail for its work, which no picture tells? */
+/* Does item i fail for its work, which no picture shows? */
 static bool is_wrong_work(const struct judging *judging, size_t i) {
     const struct item_result *item = &judging->result->items[i];
     size_t pictures = judging->step->scene_count;
@@ -638,13 +638,13 @@ static bool is_wrong_work(const struct judging *judging, size_t i) {
            item->state == RESULT_FAIL && !item->blamed && !item->unjudged;
 }
 
-/* Is it a picture that tells nothing, blank or missing for a division by 0? */
+/* Is it a picture that says nothing, blank or missing for a division by 0? */
 static bool is_not_there(const struct item_result *item) {
     return (item->state == RESULT_FAIL && item->blank) ||
            (item->state == RESULT_CRASH && item->divided);
 }
 
-/* Say which mistakes show the same as the item, which no picture tells. */
+/* Say which mistakes show the same as the item, where no picture does. */
 static void tell_counted(const struct judging *judging, struct item_result *item,
                          const char *output) {
     struct counted yours;
@@ -724,7 +724,7 @@ static bool draw_and_judge(struct judging *judging, struct error *error) {
     return done && had_room(judging, error);
 }
 
-/* A step that cannot be built; a missing reference is told of all the same. */
+/* A step that cannot be built; a missing reference is still reported. */
 static void set_not_built(const struct judging *judging, const struct message_line *reason) {
     struct step_result *result = judging->result;
     result->state = RESULT_BUILD;

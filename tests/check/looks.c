@@ -8,7 +8,7 @@
 #include <string.h>
 
 enum {
-    LEAST_WRONG = 8,   /* pixels in a wrong colour, below which nothing can be told */
+    LEAST_WRONG = 8,   /* pixels in a wrong colour, below which nothing is sure */
     UNEXPLAINED = 32,  /* for so many pixels in a wrong colour one may be another */
     OTHERWISE = 8,     /* of so many pixels that are wrong, one may be so in another way */
     APART_QUARTERS = 4 /* how exactly the number of pixels apart must be met: one in so many */
@@ -28,7 +28,7 @@ void looks_set_place(struct image *pixels, size_t i, struct place place) {
               color_rgb((uint8_t)(bits >> 16), (uint8_t)(bits >> 8), (uint8_t)bits));
 }
 
-/* What the sign tells of a picture of that scene: "zbuffer:2:5234". */
+/* What the sign says of a picture of that scene: "zbuffer:2:5234". */
 static bool read_sign(const char *sign, const char *scene, struct look *look) {
     size_t length = strlen(scene);
     unsigned long long row, apart;
@@ -104,8 +104,8 @@ static bool is_all_black(const struct looks *looks, const struct image *picture)
     return true;
 }
 
-/* At how many of the pixels has the picture a colour, and not that of the reference? What is black
- * there tells little: pictures that lack much look the same. */
+/* At how many of the pixels has the picture a colour that the reference has not? What is black
+ * there says little: pictures that lack much look the same. */
 static size_t count_wrong_colors(const struct looks *looks, const struct image *picture,
                                  int levels) {
     size_t count = 0;

@@ -50,7 +50,7 @@ enum {
 
 /* What a mistake makes of the scene. All zero: it leaves it right, or draws nothing. */
 struct look {
-    size_t row;     /* of the pixels; 0: nothing can be told */
+    size_t row;     /* of the pixels; 0: it cannot be recognised */
     uint64_t apart; /* in the whole picture */
 };
 
@@ -66,23 +66,23 @@ struct looks {
 /* The mistake that a picture looks like. */
 struct likeness {
     size_t row;      /* 0: none */
-    size_t distance; /* pixels that it has not the colour of */
+    size_t distance; /* pixels with another colour */
 };
 
-/* Read those of a scene, DIRECTORY/STEP/SCENE.png. What cannot be read is not known. The list of
- * mistakes must outlive it. */
+/* Read the looks of a scene, DIRECTORY/STEP/SCENE.png. What cannot be read is not known. The list
+ * of mistakes must outlive them. */
 void looks_read(struct looks *looks, const struct mistake_list *mistakes, const char *directory,
                 const char *step, const char *scene);
 void looks_free(struct looks *looks);
 
 /* Which mistake does a wrong picture look like? `apart` is what the comparison has counted; 0: the
- * picture is wrong because much of it is near, but not equal. None where the reference is another
- * one than the looks were made with. */
+ * picture is wrong because much of it is near, but not equal. None where the looks were made with
+ * another reference. */
 struct likeness looks_find(const struct looks *looks, const struct image *reference,
                            const struct image *yours, uint64_t apart);
 
-/* Find which rows explain a wrong picture: of eight of the pixels that are wrong in it, at most one
- * has not the colours of the row. When memory runs out, nothing is known of that. */
+/* Find which rows explain a wrong picture: of eight of its wrong pixels, at least seven have the
+ * colours of the row. When memory runs out, that is not known. */
 void looks_compare(struct looks *looks, const struct image *yours);
 
 /* The mistakes of that row: at most LOOKS_NAME_LIMIT, which looks_find() sees to. */
@@ -92,17 +92,17 @@ struct mistake_set looks_mistakes(const struct looks *looks, size_t row);
 struct result_path looks_small_path(const char *directory, const char *step, const char *scene);
 
 /* `small` becomes the picture, which has the reference's size, in few pixels and in few levels a
- * channel: it takes half a kilobyte of a file. Of the pixels that become one it keeps the one that
- * is farthest from the reference's. */
+ * channel: half a kilobyte in a file. Where several pixels become one, the one farthest from the
+ * reference is kept. */
 bool looks_shrink(struct image *small, const struct image *picture, const struct image *reference,
                   struct error *error);
 
-/* `small` becomes the picture of that row; `reference` tells its size. False, with a message, when
+/* `small` becomes the picture of that row; `reference` has its size. False, with a message, when
  * the file has none. */
 bool looks_small(struct image *small, const char *path, size_t row, const struct image *reference,
                  struct error *error);
 
-/* Column i of row 0 tells where this pixel is. */
+/* Column i of row 0 says where this pixel is. */
 struct place {
     size_t x, y;
 };

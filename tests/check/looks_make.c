@@ -5,14 +5,13 @@
  *
  * LIST is a list of mistakes (mistakes.h) with a number instead of signs;
  * DIRECTORY/NUMBER/SCENE.png is what the mistake draws, when it draws something wrong there. Writes
- * LOOKS/STEP/SCENE.png and .small.png, or removes them where no mistake can be told, and prints
+ * LOOKS/STEP/SCENE.png and .small.png, or removes them where no mistake can be known, and prints
  * NUMBER and sign of each mistake that shows in the scene.
  *
  * Exit status: 0 done, 1 something cannot be read or written, 2 wrong usage.
  */
 #define _POSIX_C_SOURCE 200809L
 
-#include "base/array.h"
 #include "base/file.h"
 #include "compare.h"
 #include "drawn.h"
@@ -41,10 +40,32 @@ struct making {
     struct image *drawn; /* and its picture; empty where it draws nothing wrong */
     size_t *rows;        /* the number of the first mistake with that picture, by row */
     size_t row_count;
-    struct place *places;
-    size_t place_count, place_capacity;
+    struct place *places; /* room for all pixels */
+    size_t place_count;
     unsigned char *is_kept; /* by pixel of the picture */
 };
+
+static struct error error;
+
+static _Noreturn void fail(void) {
+    fprintf(stderr, "looks_make: %s\n", error.message);
+    exit(1);
+}
+
+static inline void need(bool done) {
+    if (!done) {
+        fail();
+    }
+}
+
+static void *memory(size_t count, size_t size) {
+    void *all = calloc(count, size);
+    if (all == NULL) {
+        error_out_of_memory(&error);
+        fail();
+    }
+    return all;
+}
 
 static bool are_apart(const struct image *a, const struct image *b, size_t x, size_t y,
                       int levels) {
@@ -54,19 +75,14 @@ static bool are_apart(const struct image *a, const struct image *b, size_t x, si
 /* ---- Reading ---- */
 
 /* Read the list, and what each of it has drawn in the size of the reference. */
-static bool read_mistakes(struct making *making, const char *list, const char *directory,
-                          struct error *error) {
+static void read_mistakes(struct making *making, const char *list, const char *directory) {
     const struct image *reference = &making->reference;
-    if (!mistakes_read(&making->mistakes, list)) {
-        return error_set(error, "%s: no list of mistakes", list);
-    }
+    need(mistakes_read(&making->mistakes, list) ||
+         error_set(&error, "%s: no list of mistakes", list));
     size_t count = making->mistakes.count;
-    making->looks = calloc(count + 1, sizeof *making->looks);
-    making->drawn = calloc(count + 1, sizeof *making->drawn);
-    making->rows = calloc(count + 1, sizeof *making->rows);
-    if (making->looks == NULL || making->drawn == NULL || making->rows == NULL) {
-        return error_out_of_memory(error);
-    }
+    making->looks = memory(count + 1, sizeof *making->looks);
+    making->drawn = memory(count + 1, sizeof *making->drawn);
+    making->rows = memory(count + 1, sizeof *making->rows);
     for (size_t i = 0; i < count; i++) {
         char path[DRAWN_PATH_LIMIT];
         struct image *image = &making->drawn[i];
@@ -78,7 +94,6 @@ static bool read_mistakes(struct making *making, const char *list, const char *d
             image_free(image);
         }
     }
-    return true;
 }
 
 /* Are they the same picture to looks_find()? It tells those that are near the reference (none of
@@ -122,40 +137,29 @@ static void find_rows(struct making *making) {
 
 /* ---- Which pixels are kept ---- */
 
-static bool keep(struct making *making, size_t x, size_t y) {
+static void keep(struct making *making, size_t x, size_t y) {
     size_t number = y * making->reference.width + x;
-    if (making->is_kept[number]) {
-        return true;
+    if (!making->is_kept[number]) {
+        making->places[making->place_count++] = (struct place){x, y};
+        making->is_kept[number] = 1;
     }
-    struct place *places = array_reserve(making->places, &making->place_capacity,
-                                         making->place_count + 1, sizeof *places);
-    if (places == NULL) {
-        return false;
-    }
-    making->places = places;
-    places[making->place_count++] = (struct place){x, y};
-    making->is_kept[number] = 1;
-    return true;
 }
 
 /* Of the pixels at which two pictures are apart, keep `wanted` that lie evenly among them; where
  * none is, of those at which they differ. */
-static bool keep_apart(struct making *making, const struct image *a, const struct image *b,
+static void keep_apart(struct making *making, const struct image *a, const struct image *b,
                        size_t wanted) {
     const struct comparison all = compare_images(a, b);
     const int levels = all.apart.count > 0 ? COMPARE_LEVELS : 0;
     uint64_t apart = levels > 0 ? all.apart.count : all.differing.count, found = 0, kept = 0;
-    bool done = true;
     for (size_t y = 0; y < a->height; y++) {
-        for (size_t x = 0; x < a->width && done; x++) {
-            if (are_apart(a, b, x, y, levels)) {
-                bool is_next = found++ * wanted >= kept * apart;
-                kept += is_next;
-                done = !is_next || keep(making, x, y);
+        for (size_t x = 0; x < a->width; x++) {
+            if (are_apart(a, b, x, y, levels) && found++ * wanted >= kept * apart) {
+                kept++;
+                keep(making, x, y);
             }
         }
     }
-    return done;
 }
 
 /* At how many of the kept pixels are two pictures apart? */
@@ -172,24 +176,23 @@ static const struct image *picture_of(const struct making *making, size_t row) {
     return &making->drawn[making->rows[row]];
 }
 
-static bool choose_places(struct making *making) {
+static void choose_places(struct making *making) {
     const struct image *reference = &making->reference;
-    bool done = true;
-    for (size_t i = 0; i < ELSEWHERE && done; i++) { /* a diagonal that goes round and round */
-        done = keep(making, i * 37 % ELSEWHERE * reference->width / ELSEWHERE,
-                    i * reference->height / ELSEWHERE);
-    }
-    for (size_t i = 0; i < making->row_count && done; i++) {
-        done = keep_apart(making, reference, picture_of(making, i), FROM_REFERENCE);
+    for (size_t i = 0; i < ELSEWHERE; i++) { /* a diagonal that goes round and round */
+        keep(making, i * 37 % ELSEWHERE * reference->width / ELSEWHERE,
+             i * reference->height / ELSEWHERE);
     }
     for (size_t i = 0; i < making->row_count; i++) {
-        for (size_t k = 0; k < i && done; k++) {
+        keep_apart(making, reference, picture_of(making, i), FROM_REFERENCE);
+    }
+    for (size_t i = 0; i < making->row_count; i++) {
+        for (size_t k = 0; k < i; k++) {
             const struct image *a = picture_of(making, i), *b = picture_of(making, k);
-            done = count_kept(making, a, b) >= FROM_EACH_OTHER ||
-                   keep_apart(making, a, b, FROM_EACH_OTHER);
+            if (count_kept(making, a, b) < FROM_EACH_OTHER) {
+                keep_apart(making, a, b, FROM_EACH_OTHER);
+            }
         }
     }
-    return done;
 }
 
 /* ---- Writing ---- */
@@ -202,11 +205,9 @@ static void copy_row(const struct making *making, struct image *pixels, size_t r
     }
 }
 
-static bool make_pixels(const struct making *making, struct image *pixels, struct error *error) {
-    if (!image_create(pixels, making->place_count, LOOKS_FIRST_ROW + making->row_count, IMAGE_BGR,
-                      error)) {
-        return false;
-    }
+static void make_pixels(const struct making *making, struct image *pixels) {
+    need(image_create(pixels, making->place_count, LOOKS_FIRST_ROW + making->row_count, IMAGE_BGR,
+                      &error));
     for (size_t i = 0; i < making->place_count; i++) {
         looks_set_place(pixels, i, making->places[i]);
     }
@@ -214,48 +215,42 @@ static bool make_pixels(const struct making *making, struct image *pixels, struc
     for (size_t i = 0; i < making->row_count; i++) {
         copy_row(making, pixels, LOOKS_FIRST_ROW + i, picture_of(making, i));
     }
-    return true;
 }
 
 /* The small pictures of all rows, side by side. */
-static bool make_small(const struct making *making, struct image *sheet, struct error *error) {
-    struct image small;
-    bool done = true;
-    for (size_t i = 0; i < making->row_count && done; i++) {
-        done = looks_shrink(&small, picture_of(making, i), &making->reference, error) &&
-               (i > 0 || image_create(sheet, small.width * making->row_count, small.height,
-                                      IMAGE_BGR, error));
-        for (size_t y = 0; done && y < small.height; y++) {
+static void make_small(const struct making *making, struct image *sheet) {
+    for (size_t i = 0; i < making->row_count; i++) {
+        struct image small;
+        need(looks_shrink(&small, picture_of(making, i), &making->reference, &error) &&
+             (i > 0 || image_create(sheet, small.width * making->row_count, small.height, IMAGE_BGR,
+                                    &error)));
+        for (size_t y = 0; y < small.height; y++) {
             for (size_t x = 0; x < small.width; x++) {
                 image_set(sheet, (int)(i * small.width + x), (int)y,
                           image_get(&small, (int)x, (int)y));
             }
         }
-        image_free(&small);
     }
-    return done;
 }
 
-static bool write_pictures(const struct making *making, const struct image *pixels,
-                           const char *directory, struct error *error) {
+static void write_pictures(const struct making *making, const struct image *pixels,
+                           const char *directory) {
     char path[DRAWN_PATH_LIMIT + 80];
     struct result_path small_path = looks_small_path(directory, making->step, making->scene);
-    struct image small = {.pixels = NULL};
+    struct image small;
     snprintf(path, sizeof path, "%s/%s/looks", directory, making->step);
-    bool done = directory_create(path, error);
+    need(directory_create(path, &error));
     snprintf(path, sizeof path, "%s/%s/looks/%s.png", directory, making->step, making->scene);
     if (making->row_count == 0) {
         unlink(path);
         unlink(small_path.text);
-        return done;
+        return;
     }
-    done = done && png_write(pixels, path, error) && make_small(making, &small, error) &&
-           png_write(&small, small_path.text, error);
-    image_free(&small);
-    return done;
+    make_small(making, &small);
+    need(png_write(pixels, path, &error) && png_write(&small, small_path.text, &error));
 }
 
-/* ---- What is told by it ---- */
+/* ---- What a look says ---- */
 
 static void print_sign(const struct making *making, size_t mistake, size_t row, uint64_t apart) {
     if (row > 0 || apart > 0) {
@@ -274,7 +269,7 @@ static void print_starter(struct making *making) {
     }
 }
 
-/* What cannot be told by looks_find() itself has row 0. */
+/* What looks_find() itself does not recognise has row 0. */
 static void print_signs(const struct making *making, const struct looks *looks) {
     for (size_t i = 0; i < making->mistakes.count; i++) {
         const struct look *look = &making->looks[i];
@@ -285,57 +280,26 @@ static void print_signs(const struct making *making, const struct looks *looks) 
     }
 }
 
-static bool make(struct making *making, char **arguments, struct error *error) {
-    if (!image_read(&making->reference, arguments[2], error) ||
-        !read_mistakes(making, arguments[3], arguments[4], error)) {
-        return false;
-    }
-    size_t width = making->reference.width, height = making->reference.height;
-    if (width > LARGEST_SIDE || height > LARGEST_SIDE) {
-        return error_set(error, "%s: larger than %d pixels", arguments[2], LARGEST_SIDE);
-    }
-    making->is_kept = calloc(width, height);
-    if (making->is_kept == NULL) {
-        return error_out_of_memory(error);
-    }
-    find_rows(making);
-    struct looks looks = {.mistakes = &making->mistakes, .list = making->looks};
-    bool done = choose_places(making) || error_out_of_memory(error);
-    done = done && make_pixels(making, &looks.pixels, error) &&
-           write_pictures(making, &looks.pixels, arguments[5], error);
-    if (done) {
-        print_starter(making);
-        print_signs(making, &looks);
-    }
-    image_free(&looks.pixels);
-    return done;
-}
-
-static void making_free(struct making *making) {
-    for (size_t i = 0; making->drawn != NULL && i < making->mistakes.count; i++) {
-        image_free(&making->drawn[i]);
-    }
-    image_free(&making->reference);
-    mistakes_free(&making->mistakes);
-    free(making->looks);
-    free(making->drawn);
-    free(making->rows);
-    free(making->places);
-    free(making->is_kept);
-}
-
+/* What is made is kept until the program ends. */
 int main(int argc, char **argv) {
     if (argc != 7) {
         fprintf(stderr, "Usage: looks_make STEP SCENE REFERENCE.png LIST DIRECTORY LOOKS\n");
         return 2;
     }
-    char **arguments = argv + 1;
-    struct making making = {.step = arguments[0], .scene = arguments[1]};
-    struct error error;
-    bool done = make(&making, arguments, &error);
-    if (!done) {
-        fprintf(stderr, "looks_make: %s\n", error.message);
-    }
-    making_free(&making);
-    return done ? 0 : 1;
+    struct making making = {.step = argv[1], .scene = argv[2]};
+    need(image_read(&making.reference, argv[3], &error));
+    read_mistakes(&making, argv[4], argv[5]);
+    size_t width = making.reference.width, height = making.reference.height;
+    need((width <= LARGEST_SIDE && height <= LARGEST_SIDE) ||
+         error_set(&error, "%s: larger than %d pixels", argv[3], LARGEST_SIDE));
+    making.is_kept = memory(width, height);
+    making.places = memory(width * height, sizeof *making.places);
+    find_rows(&making);
+    choose_places(&making);
+    struct looks looks = {.mistakes = &making.mistakes, .list = making.looks};
+    make_pixels(&making, &looks.pixels);
+    write_pictures(&making, &looks.pixels, argv[6]);
+    print_starter(&making);
+    print_signs(&making, &looks);
+    return 0;
 }

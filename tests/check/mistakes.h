@@ -10,7 +10,7 @@
  *     what it is, up to the end of the line.
  *
  * A sign is what a scene shows. Where the picture is wrong, SCENE:ROW:APART: the row of its colours
- * in SCENE.png (looks.h; 0: nothing can be told from them), and how many pixels are apart
+ * in SCENE.png (looks.h; 0: they say nothing), and how many pixels are apart
  * (compare.h). Where only the work is wrong, or nothing is drawn, SCENE:PICTURES:COUNTERS
  * (counters.h). A scene that it leaves right has none. One line is for what is there when
  * nothing is drawn, MISTAKE_STARTER.
@@ -52,7 +52,7 @@ enum mistake_doubt {
     MISTAKE_LIKELY,
     MISTAKE_UNLIKELY,  /* its task is right elsewhere */
     MISTAKE_DOUBTFUL,  /* another scene is wrong in another way */
-    MISTAKE_IMPOSSIBLE /* never to be told */
+    MISTAKE_IMPOSSIBLE /* never to be named */
 };
 
 /* Mistakes that show the same. */

@@ -140,8 +140,8 @@ void options_help(void) {
          "CHECK_BUILD_TIMEOUT in the environment: seconds that building it may take (60).\n"
          "CHECK_RUNNER in the environment: a command that runs the programs, shut in.\n"
          "CHECK_EXACT=1 in the environment: every pixel of every scene must be equal.\n"
-         "VERBOSE=1 in the environment: on a terminal, too, all that a file gets.\n"
+         "VERBOSE=1 in the environment: on a terminal, too, everything a file gets.\n"
          "Exit status: 0 all passed, 1 something failed, 2 the check itself cannot work.\n"
          "On a terminal what is still to do has not failed: status 0.\n"
-         "To see all that a program says, run it by hand: build/step05_zbuffer -o DIRECTORY");
+         "To see everything a program says, run it by hand: build/step05_zbuffer -o DIRECTORY");
 }

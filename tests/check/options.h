@@ -1,6 +1,6 @@
 /*
- * What the check was told: its options on the command line, and its variables of the environment,
- * which a `make check` cannot hand over otherwise.
+ * The options of the check: on its command line, and as variables of the environment, because
+ * `make check` has no other way to hand them over.
  */
 #ifndef TESTS_CHECK_OPTIONS_H
 #define TESTS_CHECK_OPTIONS_H
@@ -15,7 +15,7 @@ struct options {
         *first;
     const char *only;    /* judge just this scene; "" means all */
     const char *shares;  /* a file to add each picture's numbers to, or "" */
-    const char *counted; /* one to add to what tells a mistake that no picture tells, or "" */
+    const char *counted; /* one to add to what shows a mistake that no picture shows, or "" */
     const char *junit, *json, *tap, *html, *csv; /* files for reports, or "" */
     const char *note;                            /* a line for the reports, or "" */
     double seconds;                              /* for one step's program */

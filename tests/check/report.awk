@@ -1,7 +1,7 @@
-# Reads what `check --json FILE` writes, in which each task and each item has a line of its own:
+# Reads what `check --json FILE` writes, which has one line for each task and each item:
 # for programs of awk that follow this one (-f report.awk -f other.awk FILE).
 
-# What stands behind "name": in this line; empty when it is not there. Text is as JSON has it, with
+# What follows "name": in this line; empty when nothing does. Text is as JSON has it, with
 # its \" and \n.
 function text_of(name,    rest) {
     if (!match($0, "\"" name "\": \"([^\"\\\\]|\\\\.)*\"")) return ""

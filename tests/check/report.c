@@ -42,7 +42,7 @@ static bool is_seen(const struct step_result *step, const struct item_result *it
     return seen;
 }
 
-/* Is a hint all that can be said, and has none before this item been the same? */
+/* Can only a hint be given, and is it not the one given before? */
 static bool wants_hint(const struct step_result *step, const struct item_result *item) {
     bool wants = item->looks.text[0] == '\0' && item->state >= RESULT_FAIL &&
                  item->state <= RESULT_CRASH && !item->unjudged;
@@ -177,7 +177,7 @@ void report_step(const struct step_result *step) {
     fflush(stdout); /* so that each step is seen as soon as it is known */
 }
 
-/* The difference images: of all that is not exact, or only of what does not pass. */
+/* The difference images: of everything not exact, or only of what does not pass. */
 static void report_differences(const struct check_result *result, bool only_failed) {
     bool any = false;
     for (size_t i = 0; i < result->step_count; i++) {
@@ -207,7 +207,7 @@ bool report_end(const struct check_result *result, struct error *error) {
     return report_written(error);
 }
 
-/* ---- To a person, who reads it on a terminal ---- */
+/* ---- To a person at a terminal ---- */
 
 /* What passes, in one line; what is not exact, though, has a row. */
 static void report_right_items(const struct step_result *step) {
@@ -223,7 +223,7 @@ static void report_right_items(const struct step_result *step) {
     printf("%s", before[0] == ',' ? "\n" : "");
 }
 
-/* Numbers, or the others. Of what is to do only the first picture is told; returns how many items
+/* Numbers, or the others. Only the first picture that is to do is shown; returns how many items
  * more are to come. */
 static size_t report_items_to_person(const struct step_result *step, bool numbers) {
     size_t to_come = 0;

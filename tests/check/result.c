@@ -125,7 +125,7 @@ static bool are_wrong_numbers(const struct item_result *item) {
                                 item->state == RESULT_CRASH);
 }
 
-/* Are the numbers wrong of a task that these numbers need? Then these tell nothing. */
+/* Do these numbers need a task whose own numbers are wrong? Then they say nothing. */
 static bool is_need_of_numbers_wrong(const struct step_result *result,
                                      const struct item_result *numbers) {
     bool wrong = false;
@@ -136,7 +136,7 @@ static bool is_need_of_numbers_wrong(const struct step_result *result,
     return wrong;
 }
 
-/* Do wrong numbers tell that this task is at fault in the item, which shows or needs it, or ends as
+/* Do wrong numbers say that this task is at fault in the item, which shows or needs it, or ends as
  * badly as the calls did? */
 static bool numbers_blame(const struct step_result *result, const struct item_result *item,
                           const char *task) {

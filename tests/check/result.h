@@ -86,7 +86,7 @@ struct item_result {
  *   other items show, and of no others; for sure when it is one task, which it shows (what only
  *   may be a mistake looks like none);
  * - otherwise, of the tasks that it shows without those that a picture shows right alone; where
- *   none is left, and in an item that does not just FAIL, of all that it shows. For sure when it is
+ *   none is left, and in an item that does not just FAIL, of all it shows. For sure when it is
  *   one task, nothing that the item needs has a state other than PASS, and it looks like no mistake
  *   of yet another task.
  *
@@ -113,7 +113,7 @@ struct step_result {
     struct result_text reason;  /* why the step as a whole did not end well; or empty */
     struct result_text warning; /* the compiler's first one of a program that it built; or empty */
     size_t more_warnings;
-    bool sanitized;        /* built to tell in which line it crashes, or it has told */
+    bool sanitized;        /* built to say in which line it crashes, or it has said it */
     struct bytes messages; /* what compiler or program wrote to standard error, then a NUL */
 };
 

@@ -32,7 +32,7 @@ enum {
     OPEN_FILES = 256,           /* in each of its processes */
     FILE_COUNT = 4096,          /* in its directory */
     FILE_DEPTH = 64,            /* directories in one another */
-    SIGNALED = 128              /* and a signal: the status that tells of it */
+    SIGNALED = 128              /* and a signal: the status that means it */
 };
 
 static const double seconds_to_end = 0.5;      /* between SIGTERM and SIGKILL */
@@ -312,7 +312,7 @@ static void limit_work(const struct run_limits *limits, size_t threads) {
     lower_limit(RLIMIT_CORE, 0, 0);
     lower_limit(RLIMIT_NOFILE, OPEN_FILES, OPEN_FILES);
 #ifdef RLIMIT_NPROC
-    /* It counts the threads of all that the user runs: leave room for those, and for ours. */
+    /* It counts all of the user's threads: leave room for those, and for ours. */
     rlim_t processes = (threads > 0 ? threads : 2048) + limits->processes + 1024;
     lower_limit(RLIMIT_NPROC, processes, processes);
 #else
@@ -370,7 +370,7 @@ static void stand_between(void) {
 }
 
 static void child(const struct run_command *command, int messages, size_t threads) {
-    setsid(); /* a group of its own, and no terminal to write a score to */
+    setsid(); /* its own group, and no terminal to write a score to */
     signal(SIGPIPE, SIG_DFL);
     int input = open("/dev/null", O_RDONLY);
     int output = command->output == NULL ? open("/dev/null", O_WRONLY)
@@ -410,7 +410,7 @@ static bool has_ended(pid_t id) {
     return waitid(P_PID, (id_t)id, &info, WEXITED | WNOHANG | WNOWAIT) == 0 && info.si_pid == id;
 }
 
-/* Read what is there, at most one buffer; false when there is nothing, or never will be. */
+/* Read what has come, at most one buffer; false when nothing has, or never will. */
 static bool read_messages(int pipe_end, struct bytes *messages) {
     char buffer[65536];
     ssize_t length = read(pipe_end, buffer, sizeof buffer);
@@ -478,10 +478,10 @@ static enum run_end judge_use(const struct run_command *command, pid_t id) {
         measure_directory(&disk, AT_FDCWD, command->directory, 0);
     }
     bool disk_full = disk.full || disk.bytes > limits->disk_bytes;
-    return group.processes > limits->processes + 1 /* who stands between */ ? RUN_TOO_MANY
-           : limits->group_bytes > 0 && group.bytes > limits->group_bytes   ? RUN_TOO_LARGE
-           : limits->disk_bytes > 0 && disk_full                            ? RUN_DISK_FULL
-                                                                            : RUN_EXITED;
+    return group.processes > limits->processes + 1 /* the one between */  ? RUN_TOO_MANY
+           : limits->group_bytes > 0 && group.bytes > limits->group_bytes ? RUN_TOO_LARGE
+           : limits->disk_bytes > 0 && disk_full                          ? RUN_DISK_FULL
+                                                                          : RUN_EXITED;
 }
 
 /* Wait until the program ends or must be stopped. */

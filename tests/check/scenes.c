@@ -46,7 +46,7 @@ static struct checked_step *find_or_add_step(struct scene_table *table, struct t
             if (i + 1 == table->step_count) {
                 return &table->steps[i];
             }
-            text_error(error, text->line, "the scenes of %s must stand together", name);
+            text_error(error, text->line, "the scenes of %s must be together", name);
             return NULL;
         }
     }
@@ -228,7 +228,7 @@ static bool read_scene(struct scene_table *table, struct text *text, struct word
                           word_show(word).text);
     }
     if (has_scene(step, scene.name)) {
-        return text_error(error, text->line, "%s stands here twice", scene.name);
+        return text_error(error, text->line, "%s is here twice", scene.name);
     }
     if (!read_credit(&scene.credit, text, error) || !read_limits(&scene, text, error)) {
         return false;
@@ -342,7 +342,7 @@ static bool read_work(struct scene_table *table, struct text *text, int kind, st
     struct word word = text_next_word(text);
     struct checked_step *step = table->step_count > 0 ? &table->steps[table->step_count - 1] : NULL;
     if (step == NULL || !word_is(word, step->name)) {
-        return text_error(error, text->line, "%s of '%s' must stand behind its scenes",
+        return text_error(error, text->line, "%s of '%s' must follow its scenes",
                           work_kinds[kind].what, word_show(word).text);
     }
     struct checked_work work = {.kind = (enum work_kind)kind};

@@ -66,7 +66,7 @@ static bool is_map(const struct image *reference, const struct image *yours,
 
 /* ---- What it may be ---- */
 
-/* Is all that is drawn of one colour, and in the reference not? */
+/* Has everything drawn one colour, and in the reference not? */
 static bool is_one_color(const struct image *image, struct color *color) {
     bool any = false;
     for (int y = 0; y < (int)image->height; y++) {

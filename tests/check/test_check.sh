@@ -1,6 +1,6 @@
 #!/bin/sh
 # The check itself: for each way to fail a small program in tests/check/wrong, and what the check must
-# say of it; how it ends when it is told to, or cannot work; and that it leaves nothing behind.
+# say of it; how it ends when it must, or cannot work; and that it leaves nothing behind.
 . "$(dirname "$0")/../unit/script.sh"
 
 unset CHECK_RUNNER
@@ -58,7 +58,7 @@ awk '
     END { exit bad || FNR != count }
 ' tests/check/wrong/expected.txt "$said" || wrong "the output is another one"
 
-# Each picture that failed is kept beside its reference, enlarged twice, three panels wide.
+# Each picture that failed is kept next to its reference, enlarged twice, three panels wide.
 for picture in step02_shifted/depth step06_size/huge step08_unreadable/pipe; do
     size=$(od -An -tu1 -j16 -N4 "$work/differences/$picture.png" | tr -d ' \n')
     [ "$size" = 004208 ] || wrong "$picture: another width than 1232: $size"
@@ -96,7 +96,7 @@ grep -q 'one scene of 2' "$WITNESS" || wrong "the program is not told which scen
 checks 2 --only depth3 01
 says "step01_exact has no scene 'depth3'"
 silent SCORE
-# Who has it built with sanitizers is not told to do that.
+# A build with sanitizers gets no advice to use them.
 checks 1 --sanitized 33
 says 'depth CRASH 0/1: SIGABRT'
 silent SANITIZE
@@ -140,7 +140,7 @@ ends 0
 says 'SCORE 2/2 exact'
 [ ! -s "$work/build/check.lock" ] || wrong "it writes into the lock"
 
-# ---- What it is told wrongly, or cannot do ----
+# ---- Wrong options, and what it cannot do ----
 
 # refuses MESSAGE COMMAND...: status 2, and it says that.
 refuses() {
@@ -172,7 +172,7 @@ refuses 'check: /proc' check --programs /proc 01
 refuses 'check: cannot build broken: sculpt: no clay' check --first broken 01
 refuses 'check: cannot build nowhere: make' check --first nowhere 01
 
-# An old program, or what the compiler leaves beside it, cannot be removed.
+# An old program, or what the compiler leaves next to it, cannot be removed.
 for place in step12_absent step01_exact.o step09_status.d step05_blank.said; do
     mkdir "$work/build/$place" 2>/dev/null || { rm "$work/build/$place" && mkdir "$work/build/$place"; }
     refuses ': cannot remove ' check "${place%.*}"
@@ -217,8 +217,8 @@ step1_a b 1.1 1 1 2 3 x|:1: 'x' is neither 'exact' nor a percentage
 step1_a b 1.1 1 1 2 3 4 5|:1: unexpected '5'
 step1_a b 1.1 1 -1|:1: '-1' is neither 'exact' nor a percentage
 step1_a b 1.1 1 exact c|:1: unexpected 'c'
-work step1_a b 1.1 1 c 1|:1: work of 'step1_a' must stand behind its scenes
-ROWwork step2_a b|:2: work of 'step2_a' must stand behind
+work step1_a b 1.1 1 c 1|:1: work of 'step1_a' must follow its scenes
+ROWwork step2_a b|:2: work of 'step2_a' must follow
 ROWwork step1_a c|:2: step1_a has no scene 'c'
 ROWwork step1_a b 1|:2: '1' are no tasks
 ROWwork step1_a b 1.1 1|:2: '' is not the name of a counter
@@ -231,13 +231,13 @@ ROWsame step1_a b 1.1 1 moved,|:2: 'moved,' are no relations
 ROWsame step1_a b 1.1 1 moved,moved 1|:2: 'moved,moved' are no
 ROWsame step1_a b 1.1 1 moved|:2: '' is neither 'exact' nor a
 ROWsame step1_a b 1.1 1 moved 1 2|:2: unexpected '2'
-ROWstep1_a b 1.1 1 exact|:2: b stands here twice
-ROWstep2_a b 2.1 1 1 1 1\n\nstep1_a c 1.1 1 exact|:4: the scenes of step1_a must stand together
+ROWstep1_a b 1.1 1 exact|:2: b is here twice
+ROWstep2_a b 2.1 1 1 1 1\n\nstep1_a c 1.1 1 exact|:4: the scenes of step1_a must be together
 END
 
 # ---- When others end it, or wait ----
 
-# A check that is told to end takes its program and its directory with it, at once.
+# A check that is ended takes its program and its directory with it, at once.
 for signal in INT TERM; do
     for seconds in 3 20; do # where the machine is busy the program begins late
         : >"$WITNESS"

@@ -1,5 +1,5 @@
 /*
- * Tests of what tells a mistake where no picture does: a program that counts the same, with the
+ * Tests of what shows a mistake where no picture does: a program that counts the same, with the
  * same pictures right, makes that mistake; in doubt none.
  */
 #define _POSIX_C_SOURCE 200809L
@@ -38,7 +38,7 @@ static void set_up(struct fixture *f, const char *states) {
     }
 }
 
-/* What is told of the item when the program prints that; "" for nothing. */
+/* What the check says of the item when the program prints that; "" for nothing. */
 static const char *text_of(struct counted *counted, const char *states, size_t item,
                            const char *output) {
     struct fixture f;
@@ -60,7 +60,7 @@ static void test_texts(void) {
         {3, "?rr", "depth.tested: 5\n", "depth:-:tested=5"},
         {3, "rrr", "depth2.a: 5\nadepth.a: 5\ndepths: 5\ndepth: 5\n", ""},
         {3, "rrr", "", ""},
-        /* A picture that is wrong in another way tells more, and so does a crash. */
+        /* A picture that is wrong in another way says more, as a crash does. */
         {1, "rbw", "", ""},
         {1, "rbc", "", ""},
         {3, "wrr", "depth.tested: 5\n", ""},

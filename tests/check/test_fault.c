@@ -1,4 +1,4 @@
-/* Tests of what is told of a sanitizer's words: where the fault is, and what it is. */
+/* Tests of what the check makes of a sanitizer's words: where the fault is, and what it is. */
 #include "fault.h"
 #include "unit/unit.h"
 

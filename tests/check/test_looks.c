@@ -1,5 +1,5 @@
 /*
- * Tests of what the known mistakes are told by: a picture looks like the mistake that drew it, and
+ * Tests of how known mistakes are recognised: a picture looks like the mistake that drew it, and
  * in doubt like none.
  */
 #define _POSIX_C_SOURCE 200809L
@@ -30,7 +30,7 @@ static struct place place_of(size_t i) {
     return (struct place){i % SIZE, i / SIZE * 7};
 }
 
-/* The second picture is the first but for 40 pixels. */
+/* The second picture is the first except for 40 pixels. */
 static struct color color_of(size_t row, size_t i) {
     static const uint8_t levels[] = {0, 50, 90, 150, 200};
     return color_grey(i >= 64 ? 50 : row == 3 && i >= 40 ? levels[2] : levels[row]);
@@ -120,7 +120,7 @@ static void test_what_is_told(void) {
     tear_down(&f);
 }
 
-/* Between two pictures, neither is told. */
+/* Between two pictures, neither is named. */
 static void test_doubt(void) {
     struct fixture f;
     set_up(&f);
@@ -133,7 +133,7 @@ static void test_doubt(void) {
         image_set(&f.looks.pixels, (int)i, 3, color_of(2, i));
     }
     CHECK(find(&f, 1000) == 3);
-    f.looks.list[1].row = 0; /* one of which nothing is told is still nearer */
+    f.looks.list[1].row = 0; /* one without a name is still nearer */
     CHECK(find(&f, 1000) == 0);
     f.looks.list[1].row = 3;
     put(&f, 1, color_of(2, 1));
@@ -179,7 +179,7 @@ static void test_small_pictures(void) {
     tear_down(&f);
 }
 
-/* Pictures that lack nearly everything are not told by what they lack. */
+/* Pictures that lack nearly everything are not known by what they lack. */
 static void test_black(void) {
     struct fixture f;
     set_up(&f);

@@ -1,4 +1,4 @@
-/* Tests of the list of known mistakes, and of what is told of those that a program may make. */
+/* Tests of the list of known mistakes, and of what the check says of those a program may make. */
 #define _POSIX_C_SOURCE 200809L
 
 #include "base/file.h"

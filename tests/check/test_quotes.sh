@@ -1,7 +1,7 @@
 #!/bin/sh
 # Do the lessons quote what is there? Every ```c block of a lesson's texts has 12 lines at most,
 # and is word for word (except for white space at the beginning of lines) in one file of the
-# lesson's directory, or in one header of common. A line `...` stands for lines left out. main.c is
+# lesson's directory, or in one header of common. A line `...` means lines left out. main.c is
 # quoted without its marks, as solution or as starter.
 . "$(dirname "$0")/../unit/script.sh"
 
@@ -35,7 +35,7 @@ find_quotes() {
         function check_quote(   file) {
             if (quoted > 12) wrong("a quote of " quoted " lines; 12 are the limit")
             for (file in text) if (stands_in("\n" text[file])) return
-            wrong("stands neither in a file of the lesson nor in a header of common")
+            wrong("is neither in a file of the lesson nor in a header of common")
         }
 
         { sub(/^[ \t]+/, "") }

@@ -33,7 +33,7 @@ bool unseen_draw(struct unseen_place *place, const char *program, const char *co
                  enum input_kind kind, uint64_t seed, const struct variant *variant,
                  const struct run_limits *limits, struct run_result *result, struct error *error);
 
-/* Is the step given text scenes and no models? Steps 1 and 3 are. */
+/* Is the step given text scenes and no models? Lessons 1 and 3 are. */
 bool unseen_takes_text(const char *step);
 
 #endif

@@ -20,7 +20,7 @@ enum terminal_kind {
  * within 0.3 seconds, or standard output is no terminal. */
 enum terminal_kind terminal_find_kind(void);
 
-/* Append the image. `columns` is how many characters of a line it takes, which only kitty is told.
+/* Append the image. `columns` is how many characters of a line it takes; only kitty asks for it.
  * False, with a message, when memory runs out. */
 bool terminal_show(struct bytes *out, const struct image *image, enum terminal_kind kind,
                    size_t columns, struct error *error);

@@ -1,5 +1,5 @@
-/* For tests of models: read from memory, small pictures beside them. The test defines _XOPEN_SOURCE
- * as 700 (place.h). */
+/* For tests of models: read from memory, small pictures next to them. The test defines
+ * _XOPEN_SOURCE as 700 (place.h). */
 #ifndef TESTS_MODELS_H
 #define TESTS_MODELS_H
 

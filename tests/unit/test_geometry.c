@@ -56,6 +56,17 @@ static void test_renormalized(void) {
     }
 }
 
+/* Three equal depths give this very depth, whatever rounding did to the weights. */
+static void test_depth(void) {
+    struct random random = {8};
+    for (int i = 0; i < 1000; i++) {
+        double y = random_real(&random, 0, 0.5), z = random_real(&random, 0, 0.5);
+        double depth = random_real(&random, -1, 1);
+        struct vec3 weight = {1 - y - z + 0x1p-53, y, z};
+        CHECK(interpolate_depth(weight, depth, depth, depth) == depth);
+    }
+}
+
 static void test_level_from(void) {
     static const struct {
         double value;
@@ -164,7 +175,7 @@ static void test_snap(void) {
     CHECK(f.x == 7 && f.y == 7);
 }
 
-UNIT_MAIN(TEST(test_normalized_components), TEST(test_renormalized), TEST(test_level_from),
-          TEST(test_inverse_nearly_singular), TEST(test_not_finite), TEST(test_rotation),
-          TEST(test_lookat_along_up), TEST(test_perpendicular_axis), TEST(test_inverse_overflow),
-          TEST(test_snap))
+UNIT_MAIN(TEST(test_normalized_components), TEST(test_renormalized), TEST(test_depth),
+          TEST(test_level_from), TEST(test_inverse_nearly_singular), TEST(test_not_finite),
+          TEST(test_rotation), TEST(test_lookat_along_up), TEST(test_perpendicular_axis),
+          TEST(test_inverse_overflow), TEST(test_snap))

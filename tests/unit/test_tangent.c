@@ -1,4 +1,4 @@
-/* The axes of tangent space, and what is read of a normal map with them. */
+/* The axes of tangent space. (What is read of a normal map with them: tests/lessons/board.h.) */
 #include "tangent.h"
 
 #include "oracle/oracle.h"
@@ -76,34 +76,4 @@ static void test_leaning(void) {
     CHECK(fabs(vec3_length(axes.u) - 1) < 1e-6 && fabs(vec3_length(axes.v) - 1) < 1e-6);
 }
 
-/* A value counts along its axis, and the middle of the values for nothing. */
-static void test_normals(void) {
-    double places[3][2] = {{0, 0}, {1, 0}, {0, 1}};
-    static const struct {
-        real value[3];
-        struct vec3 normal;
-    } rows[] = {
-        {{127.5f, 127.5f, 255}, {0, -127.5, 0}}, {{255, 127.5f, 127.5f}, {127.5, 0, 0}},
-        {{0, 127.5f, 127.5f}, {-127.5, 0, 0}},   {{127.5f, 255, 127.5f}, {0, 0, 127.5}},
-        {{128.5f, 129.5f, 130.5f}, {1, -3, 2}},
-    };
-    struct patch patch;
-    double numbers[TANGENT_VARYINGS];
-    lanes varyings[TANGENT_VARYINGS];
-    lay(&patch, places, (struct vec3){2, 0, 0}, (struct vec3){0, 0, 3}, (struct vec3){0, -1, 0});
-    tangent_varyings(&patch.model, 0, 0, numbers);
-    for (int i = 0; i < TANGENT_VARYINGS; i++) {
-        varyings[i] = lanes_all((real)numbers[i]);
-    }
-    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
-        const real *v = rows[i].value;
-        struct lanes3 n = tangent_normal(
-            varyings, (struct lanes3){lanes_all(v[0]), lanes_all(v[1]), lanes_all(v[2])});
-        for (int k = 0; k < LANES; k++) {
-            CHECK(near((struct vec3){(double)n.x[k], (double)n.y[k], (double)n.z[k]},
-                       rows[i].normal));
-        }
-    }
-}
-
-UNIT_MAIN(TEST(test_axes), TEST(test_leaning), TEST(test_normals))
+UNIT_MAIN(TEST(test_axes), TEST(test_leaning))

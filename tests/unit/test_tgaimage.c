@@ -350,7 +350,7 @@ static void check_tga_round_trip(const struct image *image) {
     struct error error;
     size_t step = (size_t)image->format;
     size_t raw = image->width * image->height * step;
-    put(&file, 77); /* what stands in front is kept */
+    put(&file, 77); /* what comes before is kept */
     CHECK(tga_encode(image, &file, &error));
     CHECK(file.data[0] == 77);
     const uint8_t *tga = file.data + 1;

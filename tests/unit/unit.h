@@ -1,5 +1,5 @@
 /*
- * The unit-test harness: each test file is a program of its own.
+ * The unit-test harness: each test file is its own program.
  *
  *     static void test_empty(void) { CHECK(list_size(&empty) == 0); }
  *     UNIT_MAIN(TEST(test_empty), TEST(test_full))

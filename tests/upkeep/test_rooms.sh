@@ -1,6 +1,6 @@
 #!/bin/sh
 # Do the arrows of the house point down only? A room is a lesson, a directory of tests or of common,
-# or one of the pairs on top of common with the room beside it; an arrow is an #include. And is
+# or one of the pairs on top of common with its room; an arrow is an #include. And is
 # nothing committed that a build has made?
 . "$(dirname "$0")/../unit/script.sh"
 

@@ -17,7 +17,7 @@ foreign() {
 }
 begins='(^|[|;&({`]|then|do|else|if|!) *'
 foreign "${begins}sed( -[a-zA-Z]+)* -[a-zA-Z]*[iz]" "sed -i, -z are GNU's"
-foreign "${begins}sed .*;[^'\"]*\}'" "a } of sed stands on a line of its own, or is GNU's"
+foreign "${begins}sed .*;[^'\"]*\}'" "a } of sed has its own line, or is GNU's"
 foreign "${begins}sed [^|]*(\\\\[+?|]|\\\\[tnwbs])" "\\+ \\? \\| \\t \\n \\w \\b of sed are GNU's"
 foreign "${begins}grep [^|]*\\\\[|+?wbs]" "\\| \\+ \\? \\w \\b of grep are GNU's"
 foreign "${begins}grep( -[a-zA-Z]+)* -[a-zA-Z]*[Pz]" "grep -P, -z are GNU's"

@@ -1,6 +1,7 @@
 /* The exact picture: see exact.h. */
 #include "exact.h"
 
+#include "bench/memory.h"
 #include "oracle/oracle.h"
 #include "oracle/reals.h"
 #include "oracle/texels.h"
@@ -101,16 +102,12 @@ bool exact_begin(struct exact *exact, const struct frame_scene *scene, struct er
     size_t pixels = scene->width * scene->height;
     *exact = (struct exact){
         .scene = scene,
-        .screen = malloc((model->position_count + 1) * sizeof *exact->screen),
-        .recip_w = malloc((model->position_count + 1) * sizeof *exact->recip_w),
-        .faces = calloc(pixels, sizeof *exact->faces),
-        .depths = calloc(pixels, sizeof *exact->depths),
+        .screen = bench_memory(model->position_count, sizeof *exact->screen),
+        .recip_w = bench_memory(model->position_count, sizeof *exact->recip_w),
+        .faces = bench_memory(pixels, sizeof *exact->faces),
+        .depths = bench_memory(pixels, sizeof *exact->depths),
     };
     bool done = true;
-    if (exact->screen == NULL || exact->recip_w == NULL || exact->faces == NULL ||
-        exact->depths == NULL) {
-        return error_out_of_memory(error);
-    }
     for (size_t i = 0; done && i < model->position_count; i++) {
         done = place(exact, i, error);
     }

@@ -30,6 +30,7 @@
 #include "skipping.h"
 #include "table.h"
 
+#include "bench/memory.h"
 #include "bench/timing.h"
 
 #include <stdio.h>
@@ -112,10 +113,9 @@ static bool time_cell(struct bench *b, struct cell *cell, struct error *error) {
 static bool judge_cell(struct bench *b, const struct frame_scene *scene, struct cell *cell,
                        struct error *error) {
     struct exact exact = {0};
-    uint8_t *theirs = malloc(scene->width * scene->height * IMAGE_BGRA);
+    uint8_t *theirs = bench_memory(scene->width * scene->height, IMAGE_BGRA);
     const uint8_t *const pictures[SIDES] = {b->ours.image.pixels, theirs};
-    bool done = (theirs != NULL || error_out_of_memory(error)) &&
-                (b->mesa == NULL || llvmpipe->read(b->mesa, theirs, error)) &&
+    bool done = (b->mesa == NULL || llvmpipe->read(b->mesa, theirs, error)) &&
                 exact_begin(&exact, scene, error);
     if (done) {
         exact_compare(&exact, pictures, side_count(b), cell->deviations);
@@ -198,8 +198,8 @@ static bool read_heads(struct bench *b, struct error *error) {
     }
     for (size_t i = 0; i < step_count(b); i++) {
         int times = subdivisions_for(b->given.model.face_count, triangles[i]);
-        if (times > 0 && !frame_model_subdivide(&b->finer[i], &b->given, times, error)) {
-            return false;
+        if (times > 0) {
+            frame_model_subdivide(&b->finer[i], &b->given, times);
         }
     }
     return true;
@@ -250,10 +250,7 @@ static bool run(const struct options *options, struct error *error) {
     if (options->skipping) {
         return skipping_measure(options->model, options->frames, error);
     }
-    struct bench *bench = calloc(1, sizeof *bench);
-    if (bench == NULL) {
-        return error_out_of_memory(error);
-    }
+    struct bench *bench = bench_memory(1, sizeof *bench);
     bench->options = *options;
     bool done = set_up(bench, error) && measure_all(bench, error);
     tear_down(bench);

@@ -2,6 +2,7 @@
 #define _POSIX_C_SOURCE 200809L /* setenv */
 #include "llvmpipe.h"
 
+#include "bench/memory.h"
 #include "vertices.h"
 
 #define GL_GLEXT_PROTOTYPES
@@ -240,19 +241,15 @@ struct llvmpipe {
 };
 
 static void close_llvmpipe(struct llvmpipe *l) {
-    gl_context_close(&l->context); /* and all that it holds */
+    gl_context_close(&l->context); /* and everything that it holds */
     free(l);
 }
 
 static struct llvmpipe *open_llvmpipe(int threads, struct error *error) {
     char number[16];
-    struct llvmpipe *l = calloc(1, sizeof *l);
+    struct llvmpipe *l = bench_memory(1, sizeof *l);
     snprintf(number, sizeof number, "%d", threads > 1 ? threads : 0); /* 0: the one that calls */
     setenv("LP_NUM_THREADS", number, 1);
-    if (l == NULL) {
-        error_out_of_memory(error);
-        return NULL;
-    }
     bool done = gl_context_open(&l->context, error);
     for (int look = 0; done && look < FRAME_LOOKS; look++) {
         l->programs[look] = gl_make_program(vertex_shaders[look], fragment_shaders[look], error);
@@ -325,22 +322,19 @@ static void describe_attribute(GLuint index, GLint floats, size_t offset) {
     glEnableVertexAttribArray(index);
 }
 
-static bool load_mesh(struct llvmpipe *l, const struct frame_scene *scene, struct error *error) {
+static void load_mesh(struct llvmpipe *l, const struct frame_scene *scene) {
     struct vertices v = {0};
-    bool done = scene->look == FRAME_FLAT ? vertices_flat(&v, scene->head, error)
-                                          : vertices_smooth(&v, scene->head, error);
+    (scene->look == FRAME_FLAT ? vertices_flat : vertices_smooth)(&v, scene->head);
     glGenVertexArrays(1, &l->vertex_array);
     glBindVertexArray(l->vertex_array);
     glGenBuffers(2, l->buffers);
-    if (done) {
-        glBindBuffer(GL_ARRAY_BUFFER, l->buffers[0]);
-        glBufferData(GL_ARRAY_BUFFER, (GLsizeiptr)(v.vertex_count * sizeof *v.vertices), v.vertices,
-                     GL_STATIC_DRAW);
-        glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, l->buffers[1]);
-        glBufferData(GL_ELEMENT_ARRAY_BUFFER, (GLsizeiptr)(v.index_count * sizeof *v.indices),
-                     v.indices, GL_STATIC_DRAW);
-        l->index_count = (GLsizei)v.index_count;
-    }
+    glBindBuffer(GL_ARRAY_BUFFER, l->buffers[0]);
+    glBufferData(GL_ARRAY_BUFFER, (GLsizeiptr)(v.vertex_count * sizeof *v.vertices), v.vertices,
+                 GL_STATIC_DRAW);
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, l->buffers[1]);
+    glBufferData(GL_ELEMENT_ARRAY_BUFFER, (GLsizeiptr)(v.index_count * sizeof *v.indices),
+                 v.indices, GL_STATIC_DRAW);
+    l->index_count = (GLsizei)v.index_count;
     glBindVertexBuffer(0, l->buffers[0], 0, sizeof(struct vertex));
     describe_attribute(0, 3, offsetof(struct vertex, position));
     if (scene->look != FRAME_PHONG) {
@@ -350,7 +344,6 @@ static bool load_mesh(struct llvmpipe *l, const struct frame_scene *scene, struc
         describe_attribute(2, 2, offsetof(struct vertex, uv));
     }
     vertices_free(&v);
-    return done;
 }
 
 /* All that stays the same from frame to frame. */
@@ -374,9 +367,10 @@ static bool load(struct llvmpipe *l, const struct frame_scene *scene, struct err
     GLuint program = l->programs[scene->look];
     unload(l);
     glUseProgram(program);
-    if (!make_frame(l, scene, error) || !load_mesh(l, scene, error)) {
+    if (!make_frame(l, scene, error)) {
         return false;
     }
+    load_mesh(l, scene);
     for (int kind = 0; kind < MODEL_TEXTURE_KINDS; kind++) {
         load_texture(l, program, (enum model_texture_kind)kind, scene->textures[kind]);
     }

@@ -1,23 +1,18 @@
 /* Numbers for pairs: see pairs.h. */
 #include "pairs.h"
 
-#include <stdlib.h>
+#include "bench/memory.h"
 
-bool pairs_create(struct pairs *pairs, size_t most, struct error *error) {
+struct pairs pairs_create(size_t most) {
     size_t capacity = 16;
     while (capacity < 2 * most) {
         capacity *= 2;
     }
-    *pairs = (struct pairs){
-        .keys = malloc(capacity * sizeof *pairs->keys),
-        .numbers = calloc(capacity, sizeof *pairs->numbers),
+    return (struct pairs){
+        .keys = bench_memory(capacity, sizeof(uint64_t)),
+        .numbers = bench_memory(capacity, sizeof(uint32_t)),
         .capacity = capacity,
     };
-    if (pairs->keys == NULL || pairs->numbers == NULL) {
-        pairs_free(pairs);
-        return error_out_of_memory(error);
-    }
-    return true;
 }
 
 void pairs_free(struct pairs *pairs) {

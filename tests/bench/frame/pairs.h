@@ -2,9 +2,6 @@
 #ifndef FRAME_PAIRS_H
 #define FRAME_PAIRS_H
 
-#include "base/error.h"
-
-#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -17,7 +14,7 @@ struct pairs {
 };
 
 /* Room for `most` pairs, fewer than 2^31. */
-bool pairs_create(struct pairs *pairs, size_t most, struct error *error);
+struct pairs pairs_create(size_t most);
 void pairs_free(struct pairs *pairs);
 
 /* The number of the pair, from 0; that of a new pair is the count before the call. The order of a

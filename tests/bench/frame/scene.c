@@ -1,7 +1,7 @@
 /* What is drawn: see scene.h. */
 #include "scene.h"
 
-#include "base/array.h"
+#include "bench/memory.h"
 #include "files/model_file.h"
 #include "files/normals.h"
 #include "pairs.h"
@@ -22,22 +22,18 @@ static void to_unit(float normal[3]) {
 }
 
 /* What is made ready once. */
-static bool make_ready(struct frame_model *head, struct error *error) {
+static void make_ready(struct frame_model *head) {
     const struct model *model = &head->model;
     for (size_t i = 0; i < model->normal_count; i++) {
         to_unit(model->normals[i]);
     }
-    head->face_normals = malloc((model->face_count + 1) * sizeof *head->face_normals);
-    if (head->face_normals == NULL) {
-        return error_out_of_memory(error);
-    }
+    head->face_normals = bench_memory(model->face_count, sizeof *head->face_normals);
     for (size_t i = 0; i < model->face_count; i++) {
         struct vec3 normal = vec3_normalized(model_face_normal(model, i));
         head->face_normals[i][0] = (float)normal.x;
         head->face_normals[i][1] = (float)normal.y;
         head->face_normals[i][2] = (float)normal.z;
     }
-    return true;
 }
 
 bool frame_model_read(struct frame_model *head, const char *path, struct error *error) {
@@ -49,7 +45,8 @@ bool frame_model_read(struct frame_model *head, const char *path, struct error *
         struct error missing;
         (void)model_texture(&head->model, (enum model_texture_kind)kind, &missing);
     }
-    return make_ready(head, error);
+    make_ready(head);
+    return true;
 }
 
 void frame_model_free(struct frame_model *head) {
@@ -100,16 +97,10 @@ static void cut_face(struct middles middles[ATTRIBUTES], const struct face *face
     four[3] = (struct face){{middle[0], middle[1], middle[2]}};
 }
 
-/* As the arrays of a model that was read. */
-static void *allocate_array(size_t count, size_t element_size) {
-    size_t capacity = 0;
-    return array_reserve(NULL, &capacity, count + 1, element_size);
-}
-
 /* The `old_count` elements with place behind them for the middles of their edges. */
 static void *longer_array(const void *old, const struct middles *middles, size_t element_size) {
-    void *longer = allocate_array(middles->old_count + middles->edges.count, element_size);
-    if (longer != NULL && middles->old_count > 0) {
+    void *longer = bench_memory(middles->old_count + middles->edges.count + 1, element_size);
+    if (middles->old_count > 0) {
         memcpy(longer, old, middles->old_count * element_size);
     }
     return longer;
@@ -118,7 +109,7 @@ static void *longer_array(const void *old, const struct middles *middles, size_t
 /* Adds the middles of edges to elements of 2 or 3 numbers. */
 #define ADD_MIDDLES(name, type)                                                                    \
     static void name(type longer[], const struct middles *middles, size_t numbers) {               \
-        for (size_t i = 0; longer != NULL && i < middles->edges.capacity; i++) {                   \
+        for (size_t i = 0; i < middles->edges.capacity; i++) {                                     \
             const uint64_t key = middles->edges.keys[i];                                           \
             const uint32_t number = middles->edges.numbers[i];                                     \
             for (size_t k = 0; number > 0 && k < numbers; k++) {                                   \
@@ -133,20 +124,9 @@ static void *longer_array(const void *old, const struct middles *middles, size_t
 ADD_MIDDLES(add_middles, float)
 ADD_MIDDLES(add_middle_positions, double)
 
-static bool begin_middles(struct middles middles[ATTRIBUTES], const struct model *model,
-                          struct error *error) {
-    const size_t counts[ATTRIBUTES] = {model->position_count, model->uv_count, model->normal_count};
-    bool done = true;
-    for (int i = 0; i < ATTRIBUTES; i++) {
-        middles[i].old_count = counts[i];
-        done = done && pairs_create(&middles[i].edges, 3 * model->face_count, error);
-    }
-    return done;
-}
-
 /* The arrays of the finer model, once all of its faces are known. */
-static bool add_all_middles(struct model *fine, const struct model *coarse,
-                            const struct middles middles[ATTRIBUTES], struct error *error) {
+static void add_all_middles(struct model *fine, const struct model *coarse,
+                            const struct middles middles[ATTRIBUTES]) {
     fine->position_count = coarse->position_count + middles[0].edges.count;
     fine->uv_count = coarse->uv_count + middles[1].edges.count;
     fine->normal_count = coarse->normal_count + middles[2].edges.count;
@@ -156,53 +136,43 @@ static bool add_all_middles(struct model *fine, const struct model *coarse,
     add_middle_positions((double *)fine->positions, &middles[0], 3);
     add_middles((float *)fine->uvs, &middles[1], 2);
     add_middles((float *)fine->normals, &middles[2], 3);
-    if (fine->positions == NULL || fine->uvs == NULL || fine->normals == NULL) {
-        error_out_of_memory(error);
-        return false;
-    }
-    return true;
 }
 
 /* `fine`, empty, becomes `coarse` with four times the faces, without textures. */
-static bool subdivide(struct model *fine, const struct model *coarse, struct error *error) {
-    struct middles middles[ATTRIBUTES] = {{.old_count = 0}};
-    fine->face_count = 4 * coarse->face_count;
-    fine->faces = allocate_array(fine->face_count, sizeof *fine->faces);
-    if (fine->faces == NULL) {
-        error_out_of_memory(error);
-        return false;
+static void subdivide(struct model *fine, const struct model *coarse) {
+    const size_t counts[ATTRIBUTES] = {coarse->position_count, coarse->uv_count,
+                                       coarse->normal_count};
+    struct middles middles[ATTRIBUTES];
+    for (int i = 0; i < ATTRIBUTES; i++) {
+        middles[i] = (struct middles){pairs_create(3 * coarse->face_count), counts[i]};
     }
-    bool done = begin_middles(middles, coarse, error);
-    for (size_t i = 0; done && i < coarse->face_count; i++) {
+    fine->face_count = 4 * coarse->face_count;
+    fine->faces = bench_memory(fine->face_count + 1, sizeof *fine->faces);
+    for (size_t i = 0; i < coarse->face_count; i++) {
         cut_face(middles, &coarse->faces[i], &fine->faces[4 * i]);
     }
-    done = done && add_all_middles(fine, coarse, middles, error);
+    add_all_middles(fine, coarse, middles);
     for (int i = 0; i < ATTRIBUTES; i++) {
         pairs_free(&middles[i].edges);
     }
-    return done;
 }
 
-bool frame_model_subdivide(struct frame_model *fine, const struct frame_model *coarse, int times,
-                           struct error *error) {
+void frame_model_subdivide(struct frame_model *fine, const struct frame_model *coarse, int times) {
     *fine = (struct frame_model){0};
     for (int i = 0; i < times; i++) {
         struct model finer = {0};
-        bool done = subdivide(&finer, i == 0 ? &coarse->model : &fine->model, error);
+        subdivide(&finer, i == 0 ? &coarse->model : &fine->model);
         model_free(&fine->model);
         fine->model = finer;
-        if (!done) {
-            return false;
-        }
     }
-    return make_ready(fine, error);
+    make_ready(fine);
 }
 
 /* ---- Scenes ---- */
 
 static const struct vec3 eye = {1, 1, 3}, center = {0, 0, 0}, up = {0, 1, 0}, light = {1, 1, 1};
 
-/* As step 10 shows the head that fills its picture. */
+/* As lesson 10 shows the head that fills its picture. */
 static const double zoom = 0.85;
 
 static struct rectangle square_in_the_middle(size_t width, size_t height) {

@@ -53,11 +53,10 @@ bool frame_model_read(struct frame_model *head, const char *path, struct error *
 
 /* Cut each face into four, 1 or more times: real shared vertices, and every attribute half-way
  * between those of an edge's ends. */
-bool frame_model_subdivide(struct frame_model *fine, const struct frame_model *coarse, int times,
-                           struct error *error);
+void frame_model_subdivide(struct frame_model *fine, const struct frame_model *coarse, int times);
 void frame_model_free(struct frame_model *head);
 
-/* The head as step 10 shows it, in an image of that size; the textures are those of `textured`. */
+/* The head as lesson 10 shows it, in an image of that size, with the textures of `textured`. */
 struct frame_scene frame_scene(enum frame_look look, size_t width, size_t height,
                                const struct frame_model *head, const struct model *textured);
 

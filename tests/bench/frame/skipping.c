@@ -7,6 +7,7 @@
 #include "options.h"
 #include "pipeline.h"
 
+#include "bench/memory.h"
 #include "bench/timing.h"
 
 #include <stdio.h>
@@ -192,10 +193,7 @@ static bool measure_scenes(struct skipping *s, size_t frames, struct error *erro
 }
 
 bool skipping_measure(const char *model, size_t frames, struct error *error) {
-    struct skipping *s = calloc(1, sizeof *s);
-    if (s == NULL) {
-        return error_out_of_memory(error);
-    }
+    struct skipping *s = bench_memory(1, sizeof *s);
     bool done = set_up(s, model, error) && measure_scenes(s, frames, error);
     model_free(&s->head);
     model_free(&s->ball);

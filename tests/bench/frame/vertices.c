@@ -1,17 +1,16 @@
 /* A model as OpenGL wants it: see vertices.h. */
 #include "vertices.h"
 
+#include "bench/memory.h"
 #include "pairs.h"
 
-#include <stdlib.h>
 #include <string.h>
 
-static bool allocate(struct vertices *v, size_t vertices_most, size_t faces, struct error *error) {
+static void allocate(struct vertices *v, size_t vertices_most, size_t faces) {
     *v = (struct vertices){
-        .vertices = malloc((vertices_most + 1) * sizeof *v->vertices),
-        .indices = malloc((3 * faces + 1) * sizeof *v->indices),
+        .vertices = bench_memory(vertices_most, sizeof *v->vertices),
+        .indices = bench_memory(3 * faces, sizeof *v->indices),
     };
-    return (v->vertices != NULL && v->indices != NULL) || error_out_of_memory(error);
 }
 
 void vertices_free(struct vertices *v) {
@@ -37,13 +36,12 @@ static struct vertex vertex_at(const struct model *model, size_t face, size_t co
     return vertex;
 }
 
-bool vertices_smooth(struct vertices *v, const struct frame_model *head, struct error *error) {
+void vertices_smooth(struct vertices *v, const struct frame_model *head) {
     const struct model *model = &head->model;
     size_t corners = 3 * model->face_count;
-    struct pairs placed = {0}, whole = {0};
-    bool done = allocate(v, corners, model->face_count, error) &&
-                pairs_create(&placed, corners, error) && pairs_create(&whole, corners, error);
-    for (size_t i = 0; done && i < corners; i++) {
+    struct pairs placed = pairs_create(corners), whole = pairs_create(corners);
+    allocate(v, corners, model->face_count);
+    for (size_t i = 0; i < corners; i++) {
         const struct corner *corner = &model->faces[i / 3].corner[i % 3];
         uint32_t place = pairs_number(&placed, corner->position, corner->uv);
         uint32_t number = pairs_number(&whole, place, corner->normal);
@@ -54,7 +52,6 @@ bool vertices_smooth(struct vertices *v, const struct frame_model *head, struct 
     }
     pairs_free(&placed);
     pairs_free(&whole);
-    return done;
 }
 
 /* The corner of a face that is last in no face yet; 2 where there is none. */
@@ -84,21 +81,16 @@ static void add_flat_face(struct vertices *v, const struct frame_model *head, si
     v->indices[v->index_count++] = number;
 }
 
-bool vertices_flat(struct vertices *v, const struct frame_model *head, struct error *error) {
+void vertices_flat(struct vertices *v, const struct frame_model *head) {
     const struct model *model = &head->model;
-    bool *is_last = calloc(model->position_count + 1, sizeof *is_last);
-    if (is_last == NULL) {
-        return error_out_of_memory(error);
-    }
-    bool done = allocate(v, model->position_count + model->face_count, model->face_count, error);
-    for (size_t i = 0; done && i < model->position_count; i++) {
-        v->vertices[i] = (struct vertex){{0}, {0}, {0}};
+    bool *is_last = bench_memory(model->position_count, sizeof *is_last);
+    allocate(v, model->position_count + model->face_count, model->face_count);
+    for (size_t i = 0; i < model->position_count; i++) {
         set_position(&v->vertices[i], model->positions[i]);
     }
     v->vertex_count = model->position_count;
-    for (size_t i = 0; done && i < model->face_count; i++) {
+    for (size_t i = 0; i < model->face_count; i++) {
         add_flat_face(v, head, i, is_last);
     }
     free(is_last);
-    return done;
 }

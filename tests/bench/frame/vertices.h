@@ -22,13 +22,12 @@ struct vertices {
 };
 
 /* Corners share a vertex where position, texture coordinate and normal are the same. */
-bool vertices_smooth(struct vertices *vertices, const struct frame_model *head,
-                     struct error *error);
+void vertices_smooth(struct vertices *vertices, const struct frame_model *head);
 
 /* Corners share a vertex where the position is the same; the normal of a face is that of its last
  * vertex, which is last in no other face. So flat shading costs few vertices more: a closed mesh
  * has twice as many faces as positions, and needs just as many vertices as faces. */
-bool vertices_flat(struct vertices *vertices, const struct frame_model *head, struct error *error);
+void vertices_flat(struct vertices *vertices, const struct frame_model *head);
 
 void vertices_free(struct vertices *vertices);
 

@@ -97,7 +97,7 @@ static void witness(const char *format, long number) {
 
 /* ---- The programs ---- */
 
-/* What the program is told: `-o DIRECTORY`, then perhaps --stats, `--only SCENE` or what is new. */
+/* The program's arguments: `-o DIRECTORY`, then perhaps --stats, `--only SCENE` or what is new. */
 struct task {
     const char *directory;
     const char *only; /* NULL: all */
@@ -334,7 +334,7 @@ static int old(const struct task *task) {
     return 0;
 }
 
-/* All but the last scene take for ever, and so does the program when it draws all of them. */
+/* All but the last scene take for ever, as the program does when it draws all of them. */
 static int endless(const struct task *task) {
     while (task->only == NULL || strcmp(task->only, "depth5") != 0) {
         sleep(1);

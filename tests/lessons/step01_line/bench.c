@@ -1,7 +1,7 @@
 /*
  * Lesson 1's benchmark: the attempts at a line.
  *
- * Every line has a small image of its own, and every version a grey level of its own: what the
+ * Every line has its own small image, and every version its own grey value: what the
  * last run drew can be told from what others left. The error counts wrong pixels, against exact
  * integers.
  */
@@ -94,4 +94,4 @@ static const struct bench_panel lines_panels[] = {
 };
 
 const struct bench_lesson bench_step01 =
-    BENCH_LESSON("step01_line", "Step 1: a line", lines_setup, lines_panels);
+    BENCH_LESSON("step01_line", "Lesson 1: a line", lines_setup, lines_panels);

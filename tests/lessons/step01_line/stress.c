@@ -1,4 +1,4 @@
-/* The line() and the line_list() of step 1. */
+/* The line() and the line_list() of lesson 1. */
 #define LESSON "../step01_line/main.c"
 #include "lesson.h"
 

@@ -185,4 +185,4 @@ static const struct bench_panel frame_panels[] = {
 };
 
 const struct bench_lesson bench_step02 =
-    BENCH_LESSON("step02_wireframe", "Step 2: a wireframe", frame_setup, frame_panels);
+    BENCH_LESSON("step02_wireframe", "Lesson 2: a wireframe", frame_setup, frame_panels);

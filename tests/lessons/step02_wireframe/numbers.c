@@ -17,7 +17,7 @@ static int called_order(const void *a, const void *b) {
                             : (p->high > q->high) - (p->high < q->high);
 }
 
-/* "0-1 0-2", sorted: any order is right, and so is the larger number first, if it is so in all. */
+/* "0-1 0-2", sorted: any order is right, also the larger number first, if it is so in all. */
 static struct shown called_show_sides(struct side *sides, size_t count) {
     struct shown shown = {""};
     bool turned = true;
@@ -46,7 +46,7 @@ static struct shown called_listed(const struct face *faces, size_t face_count) {
     return called_show_sides(sides, 3 * face_count);
 }
 
-/* Behind the sides stands the greatest once more, as in scenes.h. */
+/* Behind the sides is the greatest once more, as in scenes.h. */
 static struct shown called_kept(const struct side *sides, size_t count, struct side greatest) {
     struct side list[CALLED_ROOM] = {{0}};
     memcpy(list, sides, count * sizeof *sides);

@@ -1,4 +1,4 @@
-/* The line() of step 2. */
+/* The line() of lesson 2. */
 #define LESSON "../step02_wireframe/main.c"
 #include "lesson.h"
 

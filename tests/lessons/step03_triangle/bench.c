@@ -3,7 +3,7 @@
  * ones that reach far beyond the image. Every other side of the fan goes through many pixel
  * centres; the values at the rest need more digits than a float has.
  *
- * All versions write rows with image_fill_row(). Each triangle has a colour of its own, and each
+ * All versions write rows with image_fill_row(). Each triangle has its own colour, and each
  * version too: so the picture of the last run tells which triangle it shows at each pixel. The
  * error counts pixels that show another one than 128-bit integers say.
  */
@@ -358,4 +358,4 @@ static const struct bench_panel fill_panels[] = {
 };
 
 const struct bench_lesson bench_step03 =
-    BENCH_LESSON("step03_triangle", "Step 3: a triangle", fill_setup, fill_panels);
+    BENCH_LESSON("step03_triangle", "Lesson 3: a triangle", fill_setup, fill_panels);

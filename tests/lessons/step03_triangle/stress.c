@@ -1,4 +1,4 @@
-/* The triangles of step 3. */
+/* The triangles of lesson 3. */
 #define LESSON "../step03_triangle/main.c"
 #include "lesson.h"
 

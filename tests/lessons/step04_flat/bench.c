@@ -145,4 +145,4 @@ static const struct bench_panel faces_panels[] = {
 };
 
 const struct bench_lesson bench_step04 =
-    BENCH_LESSON("step04_flat", "Step 4: flat shading", faces_setup, faces_panels);
+    BENCH_LESSON("step04_flat", "Lesson 4: flat shading", faces_setup, faces_panels);

@@ -1,4 +1,4 @@
-/* Step 4: its triangle() is lent to triangles.c; here its light and its way to the screen. */
+/* Lesson 4: its triangle() is lent to triangles.c; here its light and its way to the screen. */
 #define LESSON "../step04_flat/main.c"
 #include "lesson.h"
 

@@ -375,4 +375,4 @@ static const struct bench_panel depth_panels[] = {
 };
 
 const struct bench_lesson bench_step05 =
-    BENCH_LESSON("step05_zbuffer", "Step 5: a depth buffer", depth_setup, depth_panels);
+    BENCH_LESSON("step05_zbuffer", "Lesson 5: a depth buffer", depth_setup, depth_panels);

@@ -1,4 +1,4 @@
-/* Step 5: triangles with depths, depths as levels. */
+/* Lesson 5: triangles with depths, depths as levels. */
 #define LESSON "../step05_zbuffer/main.c"
 #include "lesson.h"
 

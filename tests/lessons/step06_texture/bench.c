@@ -1,5 +1,5 @@
 /*
- * Step 6: samplers, and texture coordinates in perspective.
+ * Lesson 6: samplers, and texture coordinates in perspective.
  *
  * Samplers are held against the mean of many samples a pixel of what the texture is a picture of: a
  * hill of colours, given by a formula, or the tiles of scene checker, hit by rays. No triangle and
@@ -385,4 +385,4 @@ static const struct bench_panel bench_panels[] = {
 };
 
 const struct bench_lesson bench_step06 =
-    BENCH_LESSON("step06_texture", "Step 6: textures", setup, bench_panels);
+    BENCH_LESSON("step06_texture", "Lesson 6: textures", setup, bench_panels);

@@ -1,4 +1,4 @@
-/* Step 6: its samplers are lent to textures.c; here triangles, mip levels and perspective. */
+/* Lesson 6: its samplers are lent to textures.c; here triangles, mip levels and perspective. */
 #define LESSON "../step06_texture/main.c"
 #include "lesson.h"
 

@@ -1,5 +1,5 @@
 /*
- * Step 7: flat, Gouraud, or a normal per pixel, on spheres of few and of many triangles.
+ * Lesson 7: flat, Gouraud, or a normal per pixel, on spheres of few and of many triangles.
  *
  * The exact answer is the true sphere in long double: its normal is the point itself. One panel has
  * diffuse light, n . l. The other has a highlight, (r . v)^8 as in scene lit, which changes faster.
@@ -252,4 +252,4 @@ static const struct bench_panel bench_panels[] = {
 };
 
 const struct bench_lesson bench_step07 =
-    BENCH_LESSON("step07_gouraud", "Step 7: light on a round body", setup, bench_panels);
+    BENCH_LESSON("step07_gouraud", "Lesson 7: light on a round body", setup, bench_panels);

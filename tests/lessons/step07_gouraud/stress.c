@@ -1,4 +1,4 @@
-/* Step 7: light at the corners, and what is interpolated between them. */
+/* Lesson 7: light at the corners, and what is interpolated between them. */
 #define LESSON "../step07_gouraud/main.c"
 #include "lesson.h"
 

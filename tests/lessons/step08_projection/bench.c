@@ -1,5 +1,5 @@
 /*
- * Step 8: precision on the way to the screen, inverses, clipping.
+ * Lesson 8: precision on the way to the screen, inverses, clipping.
  *
  * The exact answers are long double for positions, fractions of 128-bit integers for the inverses,
  * and for the clipped picture a ray through every pixel, which needs no clipping and no snapping.
@@ -520,4 +520,4 @@ static const struct bench_panel bench_panels[] = {
 };
 
 const struct bench_lesson bench_step08 =
-    BENCH_LESSON("step08_projection", "Step 8: perspective", setup, bench_panels);
+    BENCH_LESSON("step08_projection", "Lesson 8: perspective", setup, bench_panels);

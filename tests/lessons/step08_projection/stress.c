@@ -1,4 +1,4 @@
-/* Step 8: what is beyond the sides of the view, and whole pictures. Its lookat() has the text of
+/* Lesson 8: what is beyond the sides of the view, and whole pictures. Its lookat() has the text of
  * the house version, which cameras.c tries. */
 #define LESSON "../step08_projection/main.c"
 #include "lesson.h"

@@ -30,7 +30,7 @@ static struct polygon random_triangle(int reach) {
                             3};
 }
 
-/* What has no place on the screen, or no depth, is not placed: too far beside it, or z/w too large
+/* What has no place on the screen, or no depth, is not placed: too far off it, or z/w too large
  * for a number although z is one. */
 static void test_place(void) {
     const struct mat4 to_screen = viewport(300, 200);

@@ -254,4 +254,4 @@ static const struct bench_panel bench_panels[] = {
 };
 
 const struct bench_lesson bench_step09 =
-    BENCH_LESSON("step09_shaders", "Step 9: shaders", setup, bench_panels);
+    BENCH_LESSON("step09_shaders", "Lesson 9: shaders", setup, bench_panels);

@@ -378,7 +378,7 @@ static struct shown called_drawn_visibly(int band_rows, enum called_part part) {
 #define TOON(a, right, level)                                                                      \
     TEXT_WITH("9c.2", "toon_fragment(" #a ")", called_in_lanes(toon_fragment, a, 0, 0), right,     \
               IN_LANES(called_shade_in, 255, 155, 0, level))
-/* A map of one colour; the direction that it stands for, and the part of its light. */
+/* A map of one colour; the direction that it means, and the part of its light. */
 #define MAPPED_PIXEL(rgb, xyz, right)                                                              \
     TEXT_WITH("9b.5", "normal_map_pixel() of " #rgb, called_mapped_pixel(called_mapped rgb),       \
               right, called_grey_in_light xyz)

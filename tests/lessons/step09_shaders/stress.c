@@ -1,4 +1,4 @@
-/* Step 9: what its shaders compute at a corner and at a pixel. */
+/* Lesson 9: what its shaders compute at a corner and at a pixel. */
 #define LESSON "../step09_shaders/main.c"
 #include "lesson.h"
 

@@ -1,5 +1,5 @@
 /*
- * Step 10: ways to compute the power, and details from a normal map or from a finer mesh.
+ * Lesson 10: ways to compute the power, and details from a normal map or from a finer mesh.
  *
  * All are computed for sixteen pixels at once, as the lesson does. The exact answer is Phong's
  * formula in long double: on the bust for what the pipeline interpolated at the pixel, on the
@@ -495,4 +495,4 @@ static const struct bench_panel bench_panels[] = {
 };
 
 const struct bench_lesson bench_step10 =
-    BENCH_LESSON("step10_phong", "Step 10: Phong's light", setup, bench_panels);
+    BENCH_LESSON("step10_phong", "Lesson 10: Phong's light", setup, bench_panels);

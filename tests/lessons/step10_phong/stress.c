@@ -1,4 +1,4 @@
-/* Step 10: what it hands over at a corner, and its six fragment functions. */
+/* Lesson 10: what it hands over at a corner, and its six fragment functions. */
 #define LESSON "../step10_phong/main.c"
 #include "lesson.h"
 

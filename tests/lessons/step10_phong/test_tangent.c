@@ -19,7 +19,7 @@ static struct image draw_of(struct drawing drawing, size_t way, struct material 
     return image;
 }
 
-/* The picture of a shader of the lesson, or of the one that stands for it. */
+/* The picture of a shader of the lesson, or of the one that replaces it. */
 static struct image draw(struct drawing drawing, size_t way) {
     return draw_of(drawing, way, textured_material);
 }

@@ -1,6 +1,6 @@
 /*
  * The little of HTTP/1.1 (RFC 9112) that one page on this machine needs: a request at a time, each
- * on a connection of its own, on an address that nobody can guess.
+ * on its own connection, on an address that nobody can guess.
  */
 #ifndef TESTS_STUDENT_LIVE_HTTP_H
 #define TESTS_STUDENT_LIVE_HTTP_H

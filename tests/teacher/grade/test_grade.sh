@@ -204,7 +204,7 @@ cat >../class/kills/step01_line/main.c <<'END'
 int main(void) {
     char path[64];
     int check = 0;
-    snprintf(path, sizeof path, "/proc/%d/stat", (int)getppid()); /* who is between */
+    snprintf(path, sizeof path, "/proc/%d/stat", (int)getppid()); /* the one between */
     FILE *file = fopen(path, "r");
     return file == NULL || fscanf(file, "%*d %*s %*c %d", &check) != 1 || kill(check, SIGKILL);
 }

@@ -1,4 +1,4 @@
-# shellcheck shell=sh disable=SC2034,SC2154 # who reads this uses what it sets, and the reverse
+# shellcheck shell=sh disable=SC2034,SC2154 # its readers use what it sets, and the reverse
 # For scripts that write a part of the course into a separate directory, whole or not at all,
 # which read this with `.` after lesson.sh and marked.sh, with `target`, `out` (the directory) and
 # `wanted` (lessons: 5 or 1-5; all of them when empty) set.

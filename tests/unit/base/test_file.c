@@ -41,14 +41,6 @@ static bool tells(const struct error *error, const char *path, const char *reaso
 
 /* ---- Messages ---- */
 
-static void test_messages(void) {
-    struct error error;
-    CHECK(!error_set(&error, "line %d: %s", 7, "bad"));
-    CHECK_TEXT(error.message, "line 7: bad");
-    error_set(&error, "%s", "two\nlines\x1b[31m\x7f");
-    CHECK_TEXT(error.message, "two?lines?[31m?");
-}
-
 /* What a terminal would obey is replaced, byte by byte; what it shows stays. */
 static void test_printable_texts(void) {
     static const struct {
@@ -77,6 +69,9 @@ static void test_printable_texts(void) {
         text_make_printable(text, '?');
         CHECK_TEXT(text, cases[i].shown);
     }
+    struct error error;
+    CHECK(!error_set(&error, "%s", "two\nlines\x1b[31m\x7f"));
+    CHECK_TEXT(error.message, "two?lines?[31m?");
 }
 
 static void test_names_of_files(void) {
@@ -313,7 +308,7 @@ static bool write_from_elsewhere(const char *path) {
     return chdir("/proc") == 0 && file_write(path, "new", 3, &error);
 }
 
-/* The new file is made beside the old one: the directory of the caller does not matter. */
+/* The new file is made next to the old one: the caller's directory does not matter. */
 static void test_write_from_elsewhere(void) {
     struct place place = place_create();
     if (access("/proc", F_OK) == 0) { /* on Linux */
@@ -363,7 +358,7 @@ static bool write_much(const char *path) {
     return file_write(path, much, sizeof much, &error);
 }
 
-/* Whenever it is told to end, a program leaves the whole file or none. */
+/* Whenever it is ended, a program leaves the whole file or none. */
 static void test_ended_while_writing(void) {
     struct place place = place_create();
     for (int i = 0; i < 60; i++) {
@@ -443,9 +438,8 @@ static void test_devices(void) {
     place_remove(&place, "pipe");
 }
 
-UNIT_MAIN(TEST(test_messages), TEST(test_printable_texts), TEST(test_names_of_files),
-          TEST(test_long_messages), TEST(test_bytes), TEST(test_read), TEST(test_read_errors),
-          TEST(test_standard_input), TEST(test_write), TEST(test_write_without_input),
-          TEST(test_write_errors), TEST(test_write_protection), TEST(test_write_from_elsewhere),
-          TEST(test_dangling_link), TEST(test_limit_of_file_size), TEST(test_ended_while_writing),
-          TEST(test_devices))
+UNIT_MAIN(TEST(test_printable_texts), TEST(test_names_of_files), TEST(test_long_messages),
+          TEST(test_bytes), TEST(test_read), TEST(test_read_errors), TEST(test_standard_input),
+          TEST(test_write), TEST(test_write_without_input), TEST(test_write_errors),
+          TEST(test_write_protection), TEST(test_write_from_elsewhere), TEST(test_dangling_link),
+          TEST(test_limit_of_file_size), TEST(test_ended_while_writing), TEST(test_devices))

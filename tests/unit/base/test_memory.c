@@ -257,17 +257,6 @@ static bool replace_file(struct error *error) {
 
 /* ---- Images ---- */
 
-static bool decode_tga_map(struct error *error) {
-    static const uint8_t file[] = {
-        0, 1, 1, 0, 0, 2, 0, 16, 0, 0, 0, 0, 2,
-        0, 2, 0, 8, 0, 1, 2, 3,  4, 0, 1, 1, 0}; /* 2x2, two colours of 16 bits */
-    struct image image;
-    bool done = tga_decode(&image, file, sizeof file, error);
-    CHECK(done || image.pixels == NULL);
-    image_free(&image);
-    return done;
-}
-
 /* Encoders append: what was there stays, also after an error. */
 static bool kept_start(const struct bytes *out) {
     return out->size >= 3 && memcmp(out->data, "abc", 3) == 0;
@@ -424,29 +413,6 @@ static bool draw_many(struct error *error) {
     return done;
 }
 
-/* The second frame of a pipeline needs no more memory than the first had. */
-static void test_second_frame(void) {
-    struct target target;
-    struct error error;
-    setenv("THREADS", "1", 1);
-    CHECK(make_inputs() && start(&target, &error));
-    for (int frame = 0; frame < 3; frame++) {
-        pipeline_clear(&target.pipeline);
-        image_clear(&target.image, color_grey(0));
-        memory.on = frame > 0;
-        memory.calls = 0;
-        memory.failing = NEVER;
-        for (int i = 0; i < 20; i++) {
-            CHECK(record(&target, i % 2 == 0 ? &inputs.cube : &inputs.many, near_eye, 0.5, &error));
-        }
-        CHECK(finish(&target, &error) && memory.calls == 0);
-        memory.on = false;
-    }
-    target_free(&target);
-    free_inputs();
-    unsetenv("THREADS");
-}
-
 /* A draw call that failed is left out, and the frame can be finished without it. */
 static bool draw_after_a_failure(struct error *error) {
     struct target target;
@@ -511,7 +477,7 @@ static const struct program text_program = {.name = "probe",
                                             .scenes = scenes,
                                             .scene_count = 2};
 
-/* Run in a directory of its own, standard output thrown away and standard error kept. Status 1 is
+/* Run in its own directory, standard output thrown away and standard error kept. Status 1 is
  * an error of which the message was printed; images that were saved before it are complete, and
  * nothing else is there. */
 static bool run_program(const struct program *program, char *arguments[5], struct error *error) {
@@ -566,7 +532,6 @@ static void test_each_allocation(void) {
         {"file_read of a pipe", read_pipe, 0},
         {"file_write", make_file, 0},
         {"file_write over an old file", replace_file, 0},
-        {"tga_decode with colour map", decode_tga_map, 0},
         {"tga_encode, ppm_encode, png_encode", encode_all, 0},
         {"png_encode of a large image", encode_large, 0},
         {"text_scene_decode", decode_scene, 0},
@@ -596,4 +561,4 @@ static void test_too_many_elements(void) {
     CHECK(array_reserve(NULL, &capacity, SIZE_MAX / 8 + 2, 8) == NULL && capacity == 0);
 }
 
-UNIT_MAIN(TEST(test_too_many_elements), TEST(test_each_allocation), TEST(test_second_frame))
+UNIT_MAIN(TEST(test_too_many_elements), TEST(test_each_allocation))

@@ -241,7 +241,7 @@ static void test_taken_names(void) {
     place_remove(&place, "old");
 }
 
-/* A name without a directory, and one below /dev that stands for a regular file: that is written
+/* A name without a directory, and one below /dev that means a regular file: that is written
  * as it is, not replaced, since whoever opened it looks there. */
 static void test_seldom_names(void) {
     struct place place = place_with_old();

@@ -133,7 +133,7 @@ static void test_alone(void) {
     struct workers *workers = workers_create(0);
     CHECK(workers != NULL && each_once(workers, 100));
     workers_free(workers);
-    CHECK(workers_create(1) == NULL); /* who asks for a number gets it */
+    CHECK(workers_create(1) == NULL); /* an asked number is not limited */
     setenv("THREADS", "1000", 1);
     workers = workers_create(0); /* not that many, however */
     CHECK(workers != NULL && each_once(workers, 100));

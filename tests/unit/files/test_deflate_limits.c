@@ -56,7 +56,7 @@ static void put_fixed(struct bits *bits, unsigned symbol) {
     }
 }
 
-/* The beginning of a block with codes of its own, and the lengths 0 to 15 with the codes 0000 to
+/* The beginning of a block with its own codes, and the lengths 0 to 15 with the codes 0000 to
  * 1111. */
 static void put_own_header(struct bits *bits, unsigned literals, unsigned distances) {
     put_string(bits, "1 01");
@@ -122,7 +122,7 @@ static void check_refused(struct bits *bits, size_t size, const char *message, c
     bytes_free(&stream);
 }
 
-/* A block with codes of its own: 258 literal codes, of which "a" has the code 0, the end of the
+/* A block with its own codes: 258 literal codes, of which "a" has the code 0, the end of the
  * block 10 and the length 3 code 11. The distances and their number come between and behind. */
 #define OWN "01 10000"
 #define LENGTHS                                                                                    \

@@ -43,7 +43,7 @@ static void test_signature_decides(void) {
 #define CONVERT "not a PNG or TGA file: `magick FILE NEW.png` converts it"
 #define NEITHER "neither a PNG nor a TGA of a type that is supported"
 
-/* What is neither, and what is one of the two with a fault of its own. */
+/* What is neither, and what is one of the two with a fault. */
 static void test_wrong_files(void) {
     static const struct {
         const char *name, *bytes;

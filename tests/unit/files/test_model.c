@@ -1,5 +1,5 @@
 /* Models: what is read of OBJ and OFF as other programs write them, the message for everything that
- * is refused, textures beside the model. */
+ * is refused, textures next to the model. */
 #define _XOPEN_SOURCE 700 /* POSIX.1-2008 with mkdtemp() */
 
 #include "base/file.h"
@@ -64,7 +64,7 @@ static void test_obj(void) {
         {SQUARE CORNERS "f 1 2/2 3//1\n", "0/-/-,1/1/-,2/-/0"},
         {SQUARE CORNERS "f 1/3/2 2/2/1 4/1/2\n", "0/2/1,1/1/0,3/0/1"},
         {SQUARE CORNERS "f -4/-3/-2 -3/-2/-1 -1/-1/-1\n", "0/0/0,1/1/1,3/2/1"},
-        /* Negative ones count from where they stand, others also further down. */
+        /* Negative numbers count from where they are, others also further down. */
         {SQUARE "f -3 -2 -1\nv 5 5 5\nf -3 -2 -1\n", "1/-/-,2/-/-,3/-/- 2/-/-,3/-/-,4/-/-"},
         {"f 1 2 3\n" SQUARE, TRIANGLE},
         {"v 9 9 9\nf 1 2 3\n" SQUARE "f -4 -3 -2\nv 7 7 7\n",
@@ -532,7 +532,7 @@ static void test_refused_files(void) {
     place_remove(&place, "a.obj,a.off");
 }
 
-/* Found beside the model as TGA before PNG, read once and only when asked for. */
+/* Found next to the model as TGA before PNG, read once and only when asked for. */
 static void test_textures(void) {
     struct place place = place_create(), other = place;
     struct model m;

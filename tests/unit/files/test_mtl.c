@@ -193,7 +193,7 @@ static void test_files(void) {
                                   file_size(name_file(&place, "two names.mtl")));
     }
     model_free(&m);
-    /* A texture; colours alone, which a texture beside the model outdoes; a file
+    /* A texture; colours alone, which a texture next to the model outdoes; a file
      * that is not there. */
     CHECK(put_text(path, "mtllib two names.mtl\n" TEXTURED "usemtl red\nf 1 2 3\n"));
     CHECK(model_read(&m, path, &error) && model_has_materials(&m));

@@ -60,7 +60,7 @@ static struct real3 normal_by_definition(const struct model *m, uint32_t positio
     return sum;
 }
 
-/* Faces, every tenth with a normal of its own, between random places. */
+/* Faces, every tenth with its own normal, between random places. */
 static bool make_faces(struct model *m) {
     struct bytes text = {0};
     struct error error;

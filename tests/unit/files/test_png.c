@@ -433,7 +433,7 @@ static void test_chunks(void) {
         {"2^32-1 high", "H13D1E", "x4294967295 pixels: a side", {8, 0, 0, 0, 0, 0, 1, UINT32_MAX}},
         {"65536 wide", "H13D1E", "65536x1 pixels: a side", {8, 0, 0, 0, 0, 0, 65536, 1}},
         {"far larger", "H13D1E", "cannot hold", {8, 6, 0, 0, 0, 0, 65535, 65535}},
-        /* 16 million pixels may stand in any file; more, where there is a byte for 1032 of them. */
+        /* 16 million pixels may be in any file; more, where there is a byte for 1032 of them. */
         {"4096 x 4096", "H13I2100E", "not a zlib stream", {1, 0, 0, 0, 0, 0, 4096, 4096}},
         {"4097 x 4097",
          "H13I2100E",
@@ -554,7 +554,7 @@ static void paste(struct image *image, const struct image *part, size_t x, size_
     }
 }
 
-/* Play an animation as a viewer does, each frame as a PNG of its own, and compare. Returns the sum
+/* Play an animation as a viewer does, each frame as its own PNG, and compare. Returns the sum
  * of the frames' areas. */
 static size_t play(const struct bytes *file, const struct image *frames, size_t count,
                    unsigned delay_ms) {

@@ -229,7 +229,7 @@ static void test_polygons(void) {
     polygon_cutter_free(&cutter);
 }
 
-/* Polygons that cross themselves, turn back or stand still: no special answer is asked for, but
+/* Polygons that cross themselves, turn back or stay where they are: any answer will do, but
  * n - 2 triangles of three different corners are, soon. */
 static void test_wild_polygons(void) {
     struct polygon_cutter cutter = {0};

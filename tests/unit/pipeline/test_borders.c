@@ -98,7 +98,7 @@ SHADER(discarding_shader, .varying_count = 2, .vertex = number_vertex, .fragment
 SHADER(flat_discarding_shader, .varying_count = 2, .flat = true, .vertex = flat_vertex,
        .fragment = number_fragment, .discards = true);
 
-/* Without loops of its own. */
+/* Without its own loops. */
 static const struct shader called_shader = {
     .varying_count = 2, .vertex = number_vertex, .fragment = number_fragment};
 
@@ -671,50 +671,6 @@ static void test_past_the_wall(void) {
     target_free(&target);
 }
 
-/* As far from the middle as corners of faces lie that are not clipped in a large viewport. */
-static int32_t far_place(struct random *random, int size) {
-    int32_t away = (int32_t)random_between(random, 55000, 65000) * 256;
-    return size * 128 + (random_bits(random) % 2 ? away : -away);
-}
-
-/* Along the longer side of the image two corners lie far away, to one side of it or to both. */
-static void make_huge_faces(struct random *random, struct scene *scene) {
-    struct part *part = &scene->part[0];
-    int width = (int)scene->width - 9, height = (int)scene->height - 9;
-    part_begin(part, (struct rectangle){4, 4, width, height});
-    part->first_number = 1;
-    part->shader = shaders[random_bits(random) % SHADERS];
-    for (int i = 0; i < 6; i++) {
-        struct placed placed;
-        any_face(random, scene, &placed);
-        for (int k = 1; k < 3; k++) {
-            struct fixed2 *corner = &placed.corner[k];
-            corner->x = width > height ? far_place(random, width) : any_place(random, width);
-            corner->y = width > height ? any_place(random, height) : far_place(random, height);
-        }
-        add_face(part, &placed);
-    }
-}
-
-static void test_huge_faces(void) {
-    static struct scene scene;
-    struct random random = {77};
-    for (int round = 0; round < 12; round++) {
-        struct target target;
-        bool wide = round % 2;
-        size_t longer = 4110 + (size_t)(random_bits(&random) % 20);
-        size_t shorter = 16 + (size_t)(random_bits(&random) % 30);
-        scene.count = 1;
-        scene.width = wide ? longer : shorter;
-        scene.height = wide ? shorter : longer;
-        make_huge_faces(&random, &scene);
-        CHECK(target_create(&target, scene.width, scene.height, IMAGE_BGR));
-        target.pipeline.keep_depth = true;
-        check_scene(&target, &scene);
-        target_free(&target);
-    }
-}
-
 /* Draw calls without a face, with an empty viewport, among others of a face each, in rounds; a
  * frame without a call. */
 static void test_no_face_at_all(void) {
@@ -740,4 +696,4 @@ static void test_no_face_at_all(void) {
 }
 
 UNIT_MAIN(TEST(test_images_of_all_sizes), TEST(test_many_faces), TEST(test_many_calls),
-          TEST(test_past_the_wall), TEST(test_huge_faces), TEST(test_no_face_at_all))
+          TEST(test_past_the_wall), TEST(test_no_face_at_all))

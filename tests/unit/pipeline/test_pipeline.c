@@ -169,41 +169,6 @@ static void test_object_too_large_to_judge(void) {
 
 /* ---- Varyings ---- */
 
-/* Varying k is k + 1 times varying 0, and k more: at corners and so everywhere. */
-static void many_vertex(const void *uniforms, size_t face, size_t corner, double *varyings) {
-    const struct uniforms *u = uniforms;
-    struct vec3 p = model_position(u->model, face, corner);
-    for (size_t k = 0; k < u->varying_count; k++) {
-        varyings[k] = ((double)k + 1) * (p.x + 2 * p.y) + (double)k;
-    }
-}
-
-static lanes_mask many_fragment(const void *uniforms, const lanes *varyings, lanes_texel *color) {
-    const struct uniforms *u = uniforms;
-    lanes off = lanes_all(0);
-    for (size_t k = 0; k < u->varying_count; k++) {
-        lanes difference = varyings[k] - (((real)k + 1) * varyings[0] + (real)k);
-        off = lanes_max(off, lanes_max(difference, -difference));
-    }
-    lanes level = lanes_select(off < 0.01f, lanes_all(200), lanes_all(100));
-    *color = lanes_rgb(level, level, level);
-    return lanes_all_set();
-}
-
-static void test_each_number_of_varyings(void) {
-    static struct mesh mesh;
-    struct random random = {41};
-    make_soup(&mesh, &random);
-    for (size_t n = 1; n <= VARYING_LIMIT; n++) {
-        const struct shader shader = {
-            .varying_count = n, .vertex = many_vertex, .fragment = many_fragment};
-        draw_alone(&mesh, place_is_xyw, &shader, 0);
-        CHECK(frame_count(200) > 100);
-        CHECK(frame_count(200) + frame_count(0) == SIZE * SIZE);
-        target_free(&target);
-    }
-}
-
 /* What is prepared is so once, whichever way the pixels are shaded. */
 static void add_five(const void *uniforms, lanes *varyings) {
     (void)uniforms;
@@ -332,7 +297,7 @@ static void test_scale_of_clip_space(void) {
 
 /* Two faces share an edge that is cut at the near plane, in the middle between two steps of 1/256
  * pixel, where the last bit decides which of them it becomes. Pixel centres of a column lie on the
- * edge or 1/256 pixel beside it: were the cut not the same from both ends, the whole column would
+ * edge or 1/256 pixel off it: were the cut not the same from both ends, the whole column would
  * be drawn twice or not at all. */
 static void test_cut_from_both_ends(void) {
     static struct mesh mesh;
@@ -359,7 +324,7 @@ static void test_cut_from_both_ends(void) {
     }
 }
 
-/* Nothing nearer than w = 1/128 is drawn, and all that is not nearer. */
+/* Nothing nearer than w = 1/128 is drawn, and everything else is. */
 static void test_nearest_w(void) {
     static struct mesh mesh;
     static const struct {
@@ -494,8 +459,7 @@ static void test_errors(void) {
     pipeline_free(&pipeline);
 }
 
-UNIT_MAIN(TEST(test_face_past_a_corner), TEST(test_object_too_large_to_judge),
-          TEST(test_each_number_of_varyings), TEST(test_prepared), TEST(test_cut_from_both_ends),
-          TEST(test_nearest_w), TEST(test_depth_overflows), TEST(test_clipped_in_every_block),
-          TEST(test_scale_of_clip_space), TEST(test_grid_cell), TEST(test_not_finite),
-          TEST(test_wrapped_level), TEST(test_far_apart), TEST(test_errors))
+UNIT_MAIN(TEST(test_face_past_a_corner), TEST(test_object_too_large_to_judge), TEST(test_prepared),
+          TEST(test_cut_from_both_ends), TEST(test_nearest_w), TEST(test_depth_overflows),
+          TEST(test_clipped_in_every_block), TEST(test_scale_of_clip_space), TEST(test_grid_cell),
+          TEST(test_not_finite), TEST(test_wrapped_level), TEST(test_far_apart), TEST(test_errors))

@@ -174,7 +174,7 @@ static bool read_image(const char *name, size_t width, size_t height) {
            CHECK(picture.width == width && picture.height == height);
 }
 
-/* Run, and compare the status and all that was printed. */
+/* Run, and compare the status and everything printed. */
 #define CHECK_RUN(program, arguments, status, printed)                                             \
     (CHECK(run((program), (arguments)) == (status)), CHECK_TEXT(output, printed))
 
@@ -560,7 +560,7 @@ enum { ALL_TEXTURES = NEEDS_DIFFUSE | NEEDS_NORMAL_MAP | NEEDS_SPECULAR };
 #define PICTURES "out/one.tga\nout/two.tga\n"
 
 /* What a model has not is replaced, which is said once; what the command line names must be there,
- * and counts before what lies beside the model. */
+ * and counts before what is next to the model. */
 static void test_replaced(void) {
     static struct scene two_scenes[] = {
         {.name = "one", .needs = ALL_TEXTURES, .width = 4, .height = 3, .draw = draw_sight},

@@ -59,7 +59,7 @@ const picture = name => page.screenshot({path: `${pages}/${name.replace(/\W+/g, 
 const values = () => page.textContent('#pixel');
 const zoom = () => page.textContent('#zoom');
 
-/* When all that was begun is drawn. */
+/* When everything begun is drawn. */
 const settle = () => ask(() => new Promise(done => setTimeout(
     () => requestAnimationFrame(() => requestAnimationFrame(done)), 60)));
 

@@ -122,7 +122,7 @@ async function dragTo(page, from, to) {
     await settled(page);
 }
 
-/* When all that was asked is answered. */
+/* When everything asked is answered. */
 const settled = page => page.waitForFunction(() => !asking && !again);
 
 /* A slider becomes that number, by keys alone. */
@@ -199,6 +199,10 @@ test('corners of two neighbours move together, by mouse and keys, and no pixel i
         await settled(page);
         const said = await notes(page, 22, 22);
         assert.match(said, /1: E0 = \+0\.0000, on it\n.*\n.*\n.*\n.*2: E1 = \+0\.0000, on it, a top or left edge/);
+        await changed('step03_triangle', 'if (columns.begin >= columns.end', 'if (columns.begin < columns.end', async () => {
+            await page.waitForFunction(() => shown.pixels.every((v, i) => i % 4 === 3 || v === 0), null, {timeout: 60000});
+            assert.match(await notes(page, 20, 20), /1: E0 = \+80\.0000\n.*\n.*\n.*2: E0 = .*\n.*2: E1 = -80\.0000/); /* of part a */
+        });
     }));
 
 test('the ends of a line are dragged; an attempt, its wrong pixels, and half of its steps', () =>
@@ -254,6 +258,7 @@ test('perspective and its mistake: u, v and w at the cursor, and levels as colou
         await settled(page);
         const [leftHalf, rightHalf, affine, correct] = await halves();
         assert.deepEqual([leftHalf, rightHalf], [affine, correct]);
+        assert.ok(await page.evaluate('plain.pixels.every((v, i) => v === reference.pixels[i])'));
         await page.evaluate(() => { zoom = 0; });
         await show(page, 'yours');
         await page.click('#reset');
@@ -331,11 +336,16 @@ test('the columns of a matrix are dragged; near plane; a corner through the spac
         assert.ok((await row())[1][2] > w);
         await page.click('button:text-is("lookat")');
         await settled(page);
-        const [, clip, ndc, screen] = (await notes(page, 400, 400)).split('\n').map(
+        const [, seen, clip, ndc, screen] = (await notes(page, 400, 400)).split('\n').map(
             line => [...line.matchAll(/-?\d+\.\d+/g)].map(Number));
+        assert.deepEqual(seen, clip.slice(0, 3)); /* projection adds w alone */
+        near(1 - seen[2] / Math.sqrt(6), clip[3]);
         near(clip[0] / clip[3], ndc[0]);
         near((ndc[0] + 1) * 400, screen[0], 0.5);
         near(screen[1], 400, 20);
+        await page.click('button:text-is("projection")'); /* no corner of the small head in the corner */
+        await settled(page);
+        assert.equal((await notes(page, 400, 400)).match(/corner/g).length, 1);
     }));
 
 test('ends of segments are dragged before a row of depths; painter, bits', () =>
@@ -346,8 +356,8 @@ test('ends of segments are dragged before a row of depths; painter, bits', () =>
         await show(page, 'split');
         await tab(page, 'attempt', "the painter's order"); /* red and blue cross at 511, and blue is in front everywhere */
         const colors = await page.evaluate(() => [shown, plain].map(frame =>
-            [500, 580].map(x => colorAt(frame, x, frame.height - 1 - 100).join())));
-        assert.deepEqual(colors, [['0,0,255', '0,0,255'], ['0,0,255', '255,0,0']]);
+            [400, 500, 580].map(x => colorAt(frame, x, frame.height - 1 - 100).join())));
+        assert.deepEqual(colors, [['0,255,0', '0,0,255', '0,0,255'], ['0,255,0', '0,0,255', '255,0,0']]);
         await picture(page, 'painter');
         await show(page, 'yours');
         await page.click('button:text-is("zbuffer")');
@@ -519,14 +529,19 @@ test('the pixel under the cursor is a parallelogram on the texture', () =>
                     at.push([i / 4 % shown.width, Math.floor(i / 4 / shown.width)]);
                 }
             }
-            const size = i => Math.max(...at.map(p => p[i])) - Math.min(...at.map(p => p[i]));
-            return at.length > 0 ? size(0) / size(1) : null;
+            const ends = i => [Math.min(...at.map(p => p[i])), Math.max(...at.map(p => p[i]))];
+            const [[left, right], [top, bottom]] = [ends(0), ends(1)];
+            const corner = at.find(([x]) => x === right); /* the rightmost one, from the middle */
+            return [(right - left) / (bottom - top), ((top + bottom) / 2 - corner[1]) / ((right - left) / 2)];
         });
         await set(page, 'on the texture', 1);
         for (const [x, y] of [[500, 500], [500, 200]]) {
             const said = await notes(page, x, y);
             const [ru, rv, uu, uv] = said.match(/right \((.*), (.*)\), up \((.*), (.*)\)/).slice(1).map(Number);
-            near(await outline(), (Math.abs(ru) + Math.abs(uu)) / (Math.abs(rv) + Math.abs(uv)), 0.05);
+            const [u, v] = Math.abs(ru + uu) > Math.abs(ru - uu) ? [ru + uu, rv + uv] : [ru - uu, rv - uv];
+            const [wide, corner] = await outline();
+            near(wide, (Math.abs(ru) + Math.abs(uu)) / (Math.abs(rv) + Math.abs(uv)), 0.05);
+            near(corner, v / u, 0.15);
         }
         await picture(page, 'footprint');
     }));

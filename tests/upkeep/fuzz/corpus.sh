@@ -3,7 +3,7 @@
 #
 #   tests/upkeep/fuzz/corpus.sh names            the targets, one a line
 #   tests/upkeep/fuzz/corpus.sh unpack NAME DIR  put the files of a target into DIR, and no others
-#   tests/upkeep/fuzz/corpus.sh pack NAME DIR    make the archive anew from the files of DIR (GNU tar)
+#   tests/upkeep/fuzz/corpus.sh pack NAME DIR    make the archive from the files of DIR (GNU tar)
 #
 # The same files give the same archive, byte for byte, whoever packs them and when.
 fuzz=$(cd "$(dirname "$0")" && pwd) || exit 1

@@ -1,7 +1,7 @@
 /*
  * Text scenes of any bytes, read as lines and as triangles. What can be read keeps the limits of
- * text_scene.h (make stress draws what these allow), and printed as text and read again is the same
- * scene. Every word that is a number is the number that the C library reads.
+ * text_scene.h (make stress draws what these allow). Every word that is a number is the number that
+ * the C library reads.
  */
 #include "base/text.h"
 #include "fuzz.h"
@@ -71,49 +71,6 @@ static void require_limits(const struct text_scene *scene, size_t corners) {
     }
 }
 
-/* The scene as text, with as many digits as a double needs. */
-static void print_scene(const struct text_scene *scene, size_t corners, struct bytes *text) {
-    char line[512];
-    if (scene->width > 0) {
-        int length = snprintf(line, sizeof line, "size %zu %zu\n", scene->width, scene->height);
-        REQUIRE(bytes_append(text, line, (size_t)length));
-    }
-    for (size_t i = 0; i < scene->shape_count; i++) {
-        const struct text_scene_shape *shape = &scene->shapes[i];
-        REQUIRE(bytes_append(text, corners == 2 ? "line" : "triangle", corners == 2 ? 4 : 8));
-        for (size_t j = 0; j < corners; j++) {
-            int length = snprintf(line, sizeof line, " %.17g %.17g", shape->x[j], shape->y[j]);
-            REQUIRE(bytes_append(text, line, (size_t)length));
-        }
-        for (size_t j = 0; j < corners; j++) {
-            int length = snprintf(line, sizeof line, " %d %d %d", shape->color[j].r,
-                                  shape->color[j].g, shape->color[j].b);
-            REQUIRE(bytes_append(text, line, (size_t)length));
-        }
-        REQUIRE(bytes_append(text, "\n", 1));
-    }
-}
-
-static void require_round_trip(const struct text_scene *scene, enum text_scene_kind kind,
-                               size_t corners) {
-    struct error error = no_error();
-    struct bytes text = {0};
-    struct text_scene again;
-    print_scene(scene, corners, &text);
-    REQUIRE(text_scene_decode(&again, text.data, text.size, kind, &error));
-    REQUIRE(again.width == scene->width && again.height == scene->height);
-    REQUIRE(again.shape_count == scene->shape_count);
-    for (size_t i = 0; i < scene->shape_count; i++) {
-        const struct text_scene_shape *a = &scene->shapes[i], *b = &again.shapes[i];
-        for (size_t j = 0; j < corners; j++) {
-            REQUIRE(a->x[j] == b->x[j] && a->y[j] == b->y[j]);
-            REQUIRE(memcmp(&a->color[j], &b->color[j], sizeof a->color[j]) == 0);
-        }
-    }
-    text_scene_free(&again);
-    bytes_free(&text);
-}
-
 static void require_scene(const uint8_t *data, size_t size, enum text_scene_kind kind) {
     size_t corners = kind == TEXT_SCENE_LINES ? 2 : 3;
     struct error error = no_error();
@@ -127,7 +84,6 @@ static void require_scene(const uint8_t *data, size_t size, enum text_scene_kind
         return;
     }
     require_limits(&scene, corners);
-    require_round_trip(&scene, kind, corners);
     text_scene_free(&scene);
 }
 

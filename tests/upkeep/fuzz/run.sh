@@ -1,5 +1,5 @@
 #!/bin/bash
-# Builds the fuzz targets beside this script and runs each for some time, as many at a time as there
+# Builds the fuzz targets of this directory and runs each for some time, as many at a time as there
 # are processors. Called by `make fuzz`.
 #
 #   tests/upkeep/fuzz/run.sh BUILD MAKE SECONDS [NAME...]      NAME: png of fuzz_png.c, ...; none means all

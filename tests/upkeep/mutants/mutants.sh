@@ -5,7 +5,7 @@
 #   mutants.sh BUILD COUNT SEED [FILE...]     in the course's directory, which stays as it is
 #
 # FILE: a source to be changed; without one all of common and every lesson's main.c. A change counts
-# when it compiles, gives another object, and isn't explained in equivalent.txt beside this file. It
+# when it compiles, gives another object, and isn't explained in equivalent.txt here. It
 # is killed when a unit test, `make check` or `make stress` fails or takes too long; what survives
 # meets the unit tests once more, under sanitizers.
 #
@@ -51,7 +51,7 @@ sources_of() { # PROGRAM
     esac
 }
 
-# compile TREE SOURCE: beside SOURCE its object, and what that depends on.
+# compile TREE SOURCE: next to SOURCE its object, and what that depends on.
 compile() {
     (cd "$1" && eval "$compiler -DCOURSE_BUILD='\"$work\"' -MMD -c $2 -o ${2%.c}.o") 2>/dev/null
 }

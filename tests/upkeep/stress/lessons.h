@@ -1,4 +1,4 @@
-/* What the properties of the lessons share. Each lesson's main.c is included in a file of its own,
+/* What the properties of the lessons share. Each lesson's main.c is included in its own file,
  * tests/lessons/stepNN_name/stress.c, which has that lesson's properties or lends its functions to
  * others. */
 #ifndef TESTS_LESSONS_H
@@ -164,7 +164,7 @@ struct real3 exact_color(const struct texture *texture, size_t level, struct vec
  * coordinates, which texels multiply. */
 enum { TEXEL_ROUNDINGS = 32 };
 
-/* The direction that this colour stands for in a normal map, of length 1, and its roundings: the
+/* The direction that this colour means in a normal map, of length 1, and its roundings: the
  * more, the shorter the normal was before. */
 struct real3 exact_normal(const struct texture *texture, size_t level, struct vec2 uv,
                           long double *roundings);

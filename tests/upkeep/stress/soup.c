@@ -55,7 +55,7 @@ static void choose_camera(struct soup *soup, struct random *random) {
 
 /* ---- Corners ---- */
 
-/* Where corners of the largest images lie: inside, beside the sides, far out, farther still. */
+/* Where corners of the largest images lie: inside, just outside, far out, farther still. */
 static double far_place(const struct soup *soup, struct random *random) {
     double guard = (double)soup->guard_band, inner = 0.98 * guard, outer = 0.998 * guard;
     const double least[] = {-1, 0.97, -1.1, inner, -outer, 9000, -10000};

@@ -98,7 +98,7 @@ struct soup_seen {
 /* Nothing is seen outside the viewport. */
 struct soup_seen soup_see(const struct soup *soup, int x, int y);
 
-/* Could the face be the nearest one, for all that doubles can tell? How many faces could? */
+/* Could the face be the nearest one, as far as doubles can tell? How many faces could? */
 bool soup_may_show(const struct soup *soup, const struct soup_seen *seen, size_t face);
 unsigned soup_candidates(const struct soup *soup, const struct soup_seen *seen);
 

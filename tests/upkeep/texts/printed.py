@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """Are the numbers in the lessons those that are printed?
 
-In a lesson's texts a line `<!-- printed -->` stands before each table that `make figures` prints:
+In a lesson's texts a line `<!-- printed -->` is before each table that `make figures` prints:
 either as it is printed, indented, or as a table in which each row begins with words of a printed
-line, and all its numbers stand in such lines, but for those of columns headed "ms". And "`zbuffer`
+line, and all its numbers are in such lines, except those of columns headed "ms". And "`zbuffer`
 takes 40 million instructions (`make counts STEP=05`): 5 for loading, ..." is what
 tests/bench/counts.txt says.
 

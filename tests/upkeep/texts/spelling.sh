@@ -1,6 +1,6 @@
 #!/bin/sh
 # Are the words of the texts spelled as British English spells them? hunspell knows most, words.txt
-# beside this file the terms of the subject. Code, links, what is in `quotes`, French, and words with
+# here the terms of the subject. Code, links, what is in `quotes`, French, and words with
 # a digit are left out.
 #
 #   tests/upkeep/texts/spelling.sh [FILE...]         without files: every .md of the course, and its drawings

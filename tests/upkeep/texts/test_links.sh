@@ -1,7 +1,7 @@
 #!/bin/sh
 # Do the texts lead somewhere? Every relative link and picture of every .md file names a file that
 # is there, and a heading that is there (`#map-of-the-course`); every picture in a lesson's figures/
-# is shown by some text. And no formula has its asterisks in prose, where Markdown eats them.
+# is shown by some text. And no formula loses an asterisk in prose, or begins a list with its plus.
 . "$(dirname "$0")/../../unit/script.sh"
 
 # texts: the .md files of the course.
@@ -69,7 +69,7 @@ unused_figures() {
     done
 }
 
-# eaten_formulas FILE...: each line with `*` between numbers or names, outside of code.
+# eaten_formulas FILE...: each line with `*` between numbers or names, or with + first, outside of code.
 eaten_formulas() {
     for file; do
         awk '/^ *```/ { quoted = !quoted; next } !quoted && !/^    / { text = text $0 "\n" }
@@ -77,15 +77,15 @@ eaten_formulas() {
                 gsub(/`[^`]*`/, "", text)
                 count = split(text, line, "\n")
                 for (i = 1; i <= count; i++)
-                    if (line[i] ~ /[^ ] \* |[0-9a-z)]\*[0-9a-z(]/) print FILENAME ": " line[i]
+                    if (line[i] ~ /[^ ] \* |[0-9a-z)]\*[0-9a-z(]|^ *\+ /) print FILENAME ": " line[i]
             }' "$file"
     done
 }
 
 # Does it find what is wrong? One of each.
 printf '# A title: 2 & 3\n[a](#a-title-2--3) [b](#none)\n![c](missing.png)\n`[d](no)`\n' >"$work/x.md"
-printf 'A *word*, `2*x\n* y` and\nx*x here\n    2*x\n' >"$work/y.md"
-[ "$(eaten_formulas "$work/y.md")" = "$work/y.md: x*x here" ] || wrong "sees no asterisk in prose"
+printf 'A *word*, `2*x\n* y` and\nx*x here\n    2*x\n+ y\n' >"$work/y.md"
+[ "$(eaten_formulas "$work/y.md" | cut -d: -f2 | xargs)" = "x*x here + y" ] || wrong "sees no eaten formula"
 expected="$work/x.md:2: $work/x.md has no heading #none
 $work/x.md:3: there is no missing.png"
 [ "$(wrong_links "$work/x.md")" = "$expected" ] || wrong "does not find what is wrong"
@@ -93,5 +93,5 @@ $work/x.md:3: there is no missing.png"
 # shellcheck disable=SC2046
 { wrong_links $(texts) && unused_figures && eaten_formulas $(texts); } >"$work/found"
 said=$work/found
-[ ! -s "$said" ] || wrong "some lead nowhere, or lose an asterisk"
+[ ! -s "$said" ] || wrong "some lead nowhere, or lose a sign"
 exit $failed

@@ -1,4 +1,4 @@
-# shellcheck shell=sh disable=SC2034 # who reads this uses what it sets
+# shellcheck shell=sh disable=SC2034 # its readers use what it sets
 # What try.sh and draw.sh share: sets what the line of WORK/table tells of a program, and gives them
 # check(). They are called with BUILD MAKE WORK NUMBER.
 build=$1

@@ -18,7 +18,7 @@
 #   figure 4
 #
 # names the row of the table in stepNN_name/WRONG.md that it belongs to. The
-# first one with that figure gives its picture: of its scene, the part around all that is wrong, or
+# first one with that figure gives its picture: of its scene, the part around everything wrong, or
 # another part: `figure 4 60x40+10+20` is 60 pixels wide and 40 high, from (10,20) on.
 #
 # tests/lessons/stepNN_name/alternatives.txt has programs that are correct, `accept NAME`: all scenes must pass, so it
@@ -27,7 +27,7 @@
 #   build CC=clang         another compiler
 #   build CFLAGS=-O3       other flags; without the line as entry.sh says
 #
-# and where one of them stands, nothing need be replaced.
+# and where one of them is, nothing need be replaced.
 #
 # Prints, with tabs between: number, lesson, mistake or accept, name, scene, compiler, flags, task,
 # what it says, the figure (0 for none), and of who gives its picture the part (`auto`, where none
@@ -138,7 +138,7 @@ function begin_list() {
     figure = 0
     begin_changes()
     if ((kind == "mistake") != (path ~ /\/mistakes\.txt$/)) {
-        wrong(FNR, "mistakes stand in stepNN_name/mistakes.txt, correct programs in alternatives.txt")
+        wrong(FNR, "mistakes are in stepNN_name/mistakes.txt, correct programs in alternatives.txt")
     }
     next
 }

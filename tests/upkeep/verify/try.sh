@@ -5,8 +5,7 @@
 #   tests/upkeep/verify/try.sh BUILD MAKE WORK NUMBER
 #
 # Prints a finding, or nothing. Adds `LESSON KIND right TOLD` or `... wrong TOLD` to WORK/results
-# (TOLD: yes for a mistake that the check names), and to WORK/shares, for each picture, `KIND NAME
-# LESSON SCENE WRONG APART COVERAGE NEAR LIGHTER LOOK` as `check --shares` writes them.
+# (TOLD: yes for a mistake that the check names).
 . tests/upkeep/verify/entry.sh
 
 # finding WORDS: prints them with the name; the result is wrong.
@@ -41,7 +40,7 @@ signs_of() {
         END { gsub(/;/, "\n", signs); print signs; exit !found }' "$1" 2>/dev/null
 }
 
-# A mistake that no picture tells is told by what it counts, and by which pictures of the whole
+# A mistake that no picture shows is known by what it counts, and by which pictures of the whole
 # lesson are right (tests/check/counters.h), when not more than four are the same.
 judge_counted() {
     check --counted "$place/shown"
@@ -102,7 +101,7 @@ judge() {
         *) judge_looks ;;
         esac
         ;;
-    undone:1:TODO\ * | undone:1:BUILD*) ;; # all that fails needs it, or nothing can be built
+    undone:1:TODO\ * | undone:1:BUILD*) ;; # everything that fails needs it, or nothing can be built
     starter:1:TODO\ 0/* | accept:0:* | solution:0:*' exact') ;; # as it should be
     mistake:0:*) finding PASSES "${said#PASS } ($says)$(describe_others)" ;;
     accept:1:*) finding FAILS "$said ($says)" ;;
@@ -122,7 +121,6 @@ if [ "$kind" = starter ] || [ "$kind" = undone ]; then
     mkdir -p "$place/sources/$lesson" && cp "$place/main.c" "$place/sources/$lesson" || exit 1
 fi
 case $scene in -) check ;; *) check --only "$scene" ;; esac
-[ ! -f "$place/shares" ] || sed "s/^/$kind $name /" "$place/shares" >>"$work/shares"
 judge
 echo "$lesson $kind $result $told" >>"$work/results"
 rm -rf "$place"

@@ -13,8 +13,8 @@
 # many at a time as there are processors; WORKERS=1 in the environment for one, VERIFY_FIFTH=0 to 4
 # for every fifth mistake and correct program.
 #
-# Prints each finding as it comes, with what the check said, then two tables: how near to the limits
-# correct programs and mistakes come (limits.awk), and how many of each lesson were judged rightly.
+# Prints each finding as it comes, with what the check said, then how many of each lesson were judged
+# rightly.
 # Exit status 0: no finding; 1: some, or a list is wrong.
 cd "$(dirname "$0")/../../.." || exit 1
 build=$1
@@ -143,9 +143,6 @@ fi
 : >"$work/results"
 cut -f 1 "$work/table" |
     xargs -P "$workers" -n 1 sh tests/upkeep/verify/try.sh "$build" "$make" "$work" || fail "stopped"
-lighter=$(sed -n 's/.*COMPARE_LIGHTER = \([0-9]*\) .*/\1/p' tests/check/compare.h)
-[ ! -f "$work/shares" ] || awk -v lighter="$lighter" -f tests/upkeep/verify/limits.awk \
-    tests/check/scenes.txt "$work/shares"
 echo
 print_table
 ! grep -q ' wrong ' "$work/results"
