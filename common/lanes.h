@@ -51,7 +51,7 @@ typedef REAL real;
 
 #define LANES_IS_FLOAT (sizeof(real) == sizeof(float))
 
-/* gcc would tell of every function here that older versions passed its arguments otherwise. */
+/* gcc would warn at every function here that older versions passed its arguments differently. */
 #pragma GCC diagnostic ignored "-Wpsabi"
 
 typedef real lanes __attribute__((vector_size(LANES * sizeof(real))));
@@ -65,8 +65,8 @@ LANES_INLINE lanes lanes_all(real value) {
     return value - (lanes){0};
 }
 
-/* Where the mask is set a, elsewhere b. (With `+`: of that gcc makes one instruction, but two or
- * three of (mask & a) | (~mask & b), which it takes apart first.) */
+/* a where the mask is set, b elsewhere. (gcc turns the `+` into one instruction, but
+ * (mask & a) | (~mask & b) into two or three.) */
 LANES_INLINE lanes lanes_select(lanes_mask mask, lanes a, lanes b) {
     return (lanes)((mask & (lanes_mask)a) + (~mask & (lanes_mask)b));
 }

@@ -531,7 +531,7 @@ static size_t equal_pixels(const uint8_t *equal, size_t count) {
 static size_t pixels_before_run(const uint8_t *equal, size_t count, size_t worth) {
     const uint8_t *run = equal, *end = equal + count;
     while ((run = memchr(run, 1, (size_t)(end - run))) != NULL) {
-        if (equal_pixels(run, worth - 1) == worth - 1) {
+        if (run[worth - 2] != 0) { /* where two are enough, that is known */
             return (size_t)(run - equal);
         }
         run++;
@@ -549,9 +549,11 @@ static inline size_t pack_row_of(const uint8_t *row, size_t width, uint8_t *equa
     compare_neighbours(row, width, equal, size);
     for (size_t x = 0; x < width;) {
         size_t limit = width - x < TGA_PACKET_LIMIT ? width - x : TGA_PACKET_LIMIT;
-        size_t count = 1 + equal_pixels(equal + x, limit - 1), stored = 1;
-        bool run = count > 1;
-        if (!run) { /* up to the next run that is worth it and begins well before the limit */
+        size_t count = 1, stored = 1;
+        bool run = equal[x] != 0;
+        if (run) {
+            count += equal_pixels(equal + x, limit - 1);
+        } else { /* up to the next run that is worth it and begins well before the limit */
             size_t look = limit > worth ? limit - worth : 0;
             size_t before = pixels_before_run(equal + x + 1, look, worth);
             stored = count = before < look ? 1 + before : limit;

@@ -262,7 +262,7 @@ int main(int argc, char **argv) {
         fprintf(stderr, "usage: numbers FILE FIRST [TASK ...]\n");
         return 2;
     }
-    number_state.file = fopen(argv[1], "a");
+    number_state.file = fopen(argv[1], "ab");
     number_state.first = strtol(argv[2], NULL, 10);
     number_state.without = argv + 3;
     if (number_state.file == NULL) {

@@ -15,8 +15,8 @@
 #include <stddef.h>
 #include <string.h>
 
-/* Of the processor's cache, in bytes: memory for aligned_alloc() that is read or written so much at
- * once, and should not lie in two lines then. */
+/* Bytes in a line of the processor's cache. Memory that is read or written so much at once should
+ * not lie in two lines: for aligned_alloc(). */
 enum { CACHE_LINE = 64 };
 #ifdef _WIN32 /* where free() takes no aligned block; it is only a little slower */
 #define aligned_alloc(alignment, size) malloc(size)

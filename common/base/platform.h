@@ -13,6 +13,7 @@
 #ifndef __wasi__
 #include <signal.h>
 #endif
+#include <stdbool.h>
 #include <stddef.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -29,6 +30,13 @@ int windows_stat(const char *path, struct stat *status);
 int windows_rename(const char *from, const char *to);
 int windows_unlink(const char *path);
 int windows_mkdir(const char *path);
+
+/* A path for Windows' own functions; "" for one that is too long. */
+enum { WINDOWS_PATH = 4096 };
+struct windows_wide {
+    wchar_t path[WINDOWS_PATH];
+};
+struct windows_wide windows_widen(const char *path);
 #endif
 
 #ifdef SIG_BLOCK
@@ -36,6 +44,9 @@ typedef sigset_t signal_set;
 #else
 typedef int signal_set;
 #endif
+
+/* Does the path begin at the root, or at a drive? */
+bool platform_is_absolute(const char *path);
 
 /* How many processors the machine has; at least 1. */
 size_t platform_processors(void);

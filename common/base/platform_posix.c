@@ -4,6 +4,10 @@
 
 #ifndef _WIN32
 
+bool platform_is_absolute(const char *path) {
+    return path[0] == '/';
+}
+
 size_t platform_processors(void) {
     long count = sysconf(_SC_NPROCESSORS_ONLN);
     return count < 1 ? 1 : (size_t)count;

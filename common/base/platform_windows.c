@@ -5,25 +5,19 @@
 #ifdef _WIN32
 
 #include <limits.h>
-#include <stdbool.h>
 #include <stdlib.h>
 #include <wchar.h>
 #include <windows.h>
 
 #include <shellapi.h> /* only after windows.h */
 
-enum { PATH_SIZE = 4096 };
-
-struct wide {
-    wchar_t path[PATH_SIZE];
-};
-
-/* A path in UTF-8; "" for one that is too long. The path of the build directory, which the compiler
- * was called with, may be in the system's own code page. */
-static struct wide widen(const char *path) {
-    struct wide wide;
-    if (MultiByteToWideChar(CP_UTF8, MB_ERR_INVALID_CHARS, path, -1, wide.path, PATH_SIZE) == 0 &&
-        MultiByteToWideChar(CP_ACP, 0, path, -1, wide.path, PATH_SIZE) == 0) {
+/* The path of the build directory, which the compiler was called with, may be in the system's own
+ * code page. */
+struct windows_wide windows_widen(const char *path) {
+    struct windows_wide wide;
+    if (MultiByteToWideChar(CP_UTF8, MB_ERR_INVALID_CHARS, path, -1, wide.path, WINDOWS_PATH) ==
+            0 &&
+        MultiByteToWideChar(CP_ACP, 0, path, -1, wide.path, WINDOWS_PATH) == 0) {
         wide.path[0] = L'\0';
     }
     return wide;
@@ -41,7 +35,7 @@ static int result(BOOL done) {
 }
 
 int windows_open(const char *path, int flags, ...) {
-    return _wopen(widen(path).path, flags, _S_IREAD | _S_IWRITE);
+    return _wopen(windows_widen(path).path, flags, _S_IREAD | _S_IWRITE);
 }
 
 static unsigned most(size_t size) {
@@ -59,9 +53,9 @@ ssize_t windows_write(int file, const void *data, size_t size) {
 /* The two numbers that tell files apart have the 48 bits that a file of NTFS has. */
 int windows_stat(const char *path, struct stat *status) {
     BY_HANDLE_FILE_INFORMATION info;
-    HANDLE file =
-        CreateFileW(widen(path).path, 0, FILE_SHARE_READ | FILE_SHARE_WRITE | FILE_SHARE_DELETE,
-                    NULL, OPEN_EXISTING, FILE_FLAG_BACKUP_SEMANTICS, NULL);
+    HANDLE file = CreateFileW(windows_widen(path).path, 0,
+                              FILE_SHARE_READ | FILE_SHARE_WRITE | FILE_SHARE_DELETE, NULL,
+                              OPEN_EXISTING, FILE_FLAG_BACKUP_SEMANTICS, NULL);
     bool found = file != INVALID_HANDLE_VALUE && GetFileInformationByHandle(file, &info);
     int done = result(found);
     if (found) {
@@ -83,15 +77,16 @@ int windows_stat(const char *path, struct stat *status) {
 
 /* Over an existing file, as POSIX does. */
 int windows_rename(const char *from, const char *to) {
-    return result(MoveFileExW(widen(from).path, widen(to).path, MOVEFILE_REPLACE_EXISTING));
+    return result(
+        MoveFileExW(windows_widen(from).path, windows_widen(to).path, MOVEFILE_REPLACE_EXISTING));
 }
 
 int windows_unlink(const char *path) {
-    return _wunlink(widen(path).path);
+    return _wunlink(windows_widen(path).path);
 }
 
 int windows_mkdir(const char *path) {
-    return _wmkdir(widen(path).path);
+    return _wmkdir(windows_widen(path).path);
 }
 
 /* In UTF-8, with / for \; NULL when memory runs out. */
@@ -122,6 +117,10 @@ void windows_begin(int *argc, char ***argv) {
     }
     *argc = count;
     *argv = arguments;
+}
+
+bool platform_is_absolute(const char *path) {
+    return path[0] == '/' || path[0] == '\\' || (path[0] != '\0' && path[1] == ':');
 }
 
 size_t platform_processors(void) {

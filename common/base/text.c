@@ -290,7 +290,7 @@ static inline bool exact_double(const struct decimal *decimal, double *value) {
     static const double power_of_ten[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
                                           1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
                                           1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
-    static const double sign[] = {1, -1}; /* no branch: no processor can foretell it */
+    static const double sign[] = {1, -1}; /* no branch: no processor can predict it */
     int64_t power = decimal->exponent - decimal->part;
     if (FLT_EVAL_METHOD != 0 || decimal->whole + decimal->part > EXACT_DIGITS ||
         decimal->digits > UINT64_C(1) << 53 || power < -EXACT_POWER || power > EXACT_POWER) {

@@ -169,7 +169,7 @@ bool reader_add_uv(struct model_reader *reader, double u, double v) {
     return true;
 }
 
-/* Of what has no colour: white in any unit, once it is cut. */
+/* For what has no colour: white in any unit, once it is cut. */
 static const double white[3] = {INFINITY, INFINITY, INFINITY};
 
 /* Add this colour to a list until it holds `count` of them. */

@@ -116,9 +116,9 @@ static void swap_row(uint8_t *to, const uint8_t *from, size_t width, size_t chan
  * file holds the difference. Rows to be written have PIXEL_LIMIT zero bytes before them, so that a
  * and c always exist. */
 
-/* a, b or c, whichever is nearest to a + b - c; in this order when equally near. Of a and b the
- * higher is nearest where c is low, the lower where c is high, and c between: without branches,
- * since no processor could foretell them (Fabian Giesen's form, from stb_image). */
+/* a, b or c, whichever is nearest to a + b - c; in this order when equally near. The higher one of
+ * a and b is nearest where c is low, the lower one where c is high, and c in between. No branches:
+ * no processor could predict them (Fabian Giesen's form, from stb_image). */
 static inline uint8_t paeth(uint8_t a, uint8_t b, uint8_t c) {
     int low = a < b ? a : b, high = a < b ? b : a;
     int place = 3 * c - a - b;

@@ -105,7 +105,7 @@ struct block {
  * and as many rows as are wanted are read in turn. */
 struct column {
     double depth[BAND_HEIGHT * CHUNK]; /* minus infinity: nothing is drawn */
-    /* Of the piece that is seen: see struct scratch; 0 where nothing is drawn. One more is read
+    /* The piece that is seen: see struct scratch; 0 where nothing is drawn. One more is read
      * behind the last (see find_runs()), and the others fill a cache line. */
     uint32_t number[BAND_HEIGHT * CHUNK + CACHE_LINE / sizeof(uint32_t)];
 };
@@ -175,7 +175,7 @@ struct frame {
     struct scratch *scratch; /* one a thread */
     uint64_t (*band_stats)[PIPELINE_STATS];
     size_t scratch_count, scratch_capacity;
-    /* Of each column of each band, bit i: something may be drawn in row i. And what was so in the
+    /* For each column of each band, bit i: something may be drawn in row i. And the same of the
      * last frame. */
     uint32_t *touched, *last_touched;
     /* Of each tile of the image, row after row: at most the depth of any pixel. If `reordered`. */

@@ -29,7 +29,7 @@ enum { IS_LITTLE_ENDIAN = 0 };
 
 /* ---- Fetching: once for each visible piece of a draw call ---- */
 
-/* The corners of a part of a clipped face become number i of those: mixed from those of the face. */
+/* The corners of a part of a clipped face, mixed from the face's own, become number i of `to`. */
 KERNEL void put_clipped_corners(const struct call_band *band, const struct shader *shader,
                                 const struct piece *piece, struct corners_together *to, size_t i) {
     struct polygon polygon = pipeline_clip_face(band->call, piece->face);
@@ -318,8 +318,7 @@ KERNEL bool gather_pixels(const struct call_band *band, const struct shader *sha
     return has_colors(shader) || gather_varyings(band, shader, number, x, y, pixels->varyings);
 }
 
-/* Of the pixels that are drawn, those that the shader discards show again what they showed before.
- * Returns the others. */
+/* Drawn pixels that the shader discards show again what they showed before. Returns the others. */
 KERNEL lanes_int take_back(const struct call_band *band, const struct pixels *pixels,
                            lanes_mask kept) {
     struct column *now = &band->chunks[pixels->x / CHUNK];

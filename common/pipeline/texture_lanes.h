@@ -103,8 +103,8 @@ LANES_INLINE lanes texels_mix_channel(const struct texels *t, uint32_t mask) {
     return (channel[0] + channel[1]) + (channel[2] + channel[3]);
 }
 
-/* Linear between the texels: red, green, blue as x, y, z in levels 0..255, not rounded. What is not
- * used of it is not computed: of a grey texture, take z. */
+/* Linear between the texels: red, green, blue as x, y, z in levels 0..255, not rounded. What the
+ * caller does not use is not computed: for a grey texture, take z alone. */
 LANES_INLINE struct lanes3 texels_mix(const struct texels *t) {
     return (struct lanes3){texels_mix_channel(t, 0xFF0000) * (1 / 65536.0f),
                            texels_mix_channel(t, 0xFF00) * (1 / 256.0f),

@@ -7,9 +7,9 @@
  *                                      numbers fit into a register: what must be exact
  *     doubles_mask                     of TOGETHER doubles: for which a comparison holds
  *
- * x86 has instructions for some of this that gcc 12 and clang 14 do not find by themselves. Here, and
- * for some of lanes.h, they tell the compiler which one is meant ("Intel 64 and IA-32 Architectures
- * Software Developer's Manual", volume 2); the plain C next to it says what it does.
+ * x86 has instructions for some of this that gcc 12 and clang 14 do not find by themselves. For
+ * these, and for some of lanes.h, the compiler is given the right one ("Intel 64 and IA-32
+ * Architectures Software Developer's Manual", volume 2); the plain C next to it says what it does.
  */
 #ifndef COMMON_PIPELINE_VECTORS_H
 #define COMMON_PIPELINE_VECTORS_H

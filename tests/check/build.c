@@ -7,7 +7,6 @@
 
 #include <ctype.h>
 #include <errno.h>
-#include <fcntl.h>
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
@@ -20,22 +19,10 @@ enum {
 };
 
 bool build_lock(const struct options *options, struct error *error) {
-    struct flock whole = {.l_type = F_WRLCK, .l_whence = SEEK_SET};
-    char path[DRAWN_PATH_LIMIT];
-    if (!directory_create(options->programs, error)) {
-        return false;
-    }
+    char path[DRAWN_PATH_LIMIT], busy[DRAWN_PATH_LIMIT];
     snprintf(path, sizeof path, "%s/check.lock", options->programs);
-    int file = open(path, O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-    if (file < 0) {
-        return error_set(error, "%.900s: %s", path, strerror(errno));
-    }
-    bool busy = fcntl(file, F_SETLK, &whole) != 0 && (errno == EAGAIN || errno == EACCES);
-    if (busy) {
-        fprintf(stderr, "check: waiting for another check in %s\n", options->programs);
-        fcntl(file, F_SETLKW, &whole); /* or until a signal comes */
-    }
-    return true; /* also where the file system knows no locks */
+    snprintf(busy, sizeof busy, "check: waiting for another check in %.900s\n", options->programs);
+    return directory_create(options->programs, error) && run_lock(path, busy, error);
 }
 
 /* Is the part in the line, which may have others after it? */

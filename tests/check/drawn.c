@@ -2,6 +2,7 @@
 
 #include "drawn.h"
 #include "base/file.h"
+#include "base/platform.h"
 
 #include <ctype.h>
 #include <errno.h>
@@ -9,6 +10,10 @@
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
+
+#ifdef _WIN32
+#define lstat(path, status) windows_stat(path, status)
+#endif
 
 enum {
     TGA_HEADER_SIZE = 18,
@@ -22,7 +27,7 @@ bool drawn_program(struct drawn_path *path, const char *programs, const char *na
     if (getcwd(here, sizeof here) == NULL) {
         return error_set(error, "the current directory has no name: %s", strerror(errno));
     }
-    bool is_absolute = programs[0] == '/';
+    bool is_absolute = platform_is_absolute(programs);
     int length = snprintf(path->text, sizeof path->text, "%s%s%s/%s", is_absolute ? "" : here,
                           is_absolute ? "" : "/", programs, name);
     return (length >= 0 && (size_t)length < sizeof path->text) ||

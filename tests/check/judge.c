@@ -353,7 +353,7 @@ static bool judge_alone(const struct judging *judging, size_t i, struct error *e
     return done;
 }
 
-/* For who has waited in vain often enough: a tenth of the time, but a second. */
+/* After enough waits in vain: a tenth of the time, but at least a second. */
 static struct run_limits hurried_limits(double seconds) {
     double tenth = seconds / 10 > 1 ? seconds / 10 : 1;
     return run_program_limits(tenth < seconds ? tenth : seconds);
@@ -608,7 +608,8 @@ static void tell_crashing_functions(struct step_result *result) {
 }
 
 /* Say that the item looks like these mistakes, as far as what else is known allows it. */
-static void tell(const struct judging *judging, struct item_result *item, struct mistake_set set) {
+static void tell_of(const struct judging *judging, struct item_result *item,
+                    struct mistake_set set) {
     const struct suspicion suspicion = {.result = judging->result,
                                         .looks = judging->looks,
                                         .scene_count = judging->step->scene_count,
@@ -626,7 +627,7 @@ static void tell_likenesses(const struct judging *judging) {
         struct item_result *item = &judging->result->items[i];
         const struct looks *looks = &judging->looks[i];
         item->only_may_be = item->looks_row > 0 && item->looks_row == looks->starter;
-        tell(judging, item, looks_mistakes(looks, item->looks_row));
+        tell_of(judging, item, looks_mistakes(looks, item->looks_row));
     }
 }
 
@@ -650,7 +651,7 @@ static void tell_counted(const struct judging *judging, struct item_result *item
     struct counted yours;
     if (counted_of(&yours, judging->result, item, output)) {
         item->only_may_be |= item->counter[0] == '\0';
-        tell(judging, item, counted_find(&judging->mistakes, &yours));
+        tell_of(judging, item, counted_find(&judging->mistakes, &yours));
         append_line(judging->options->counted, "%s\n", yours.text);
     }
 }

@@ -1,53 +1,17 @@
-#ifdef __linux__ /* POSIX.1-2008 with nftw(), and RLIMIT_NPROC; other systems have them unasked */
-#define _DEFAULT_SOURCE
-#define _XOPEN_SOURCE 700
-#endif
-
+/* What is said of a program's end, on every system: see run.h. */
+#define _DEFAULT_SOURCE /* SIGXFSZ and others */
 #include "run.h"
 
-#include "base/array.h"
-
-#include <ctype.h>
-#include <dirent.h>
-#include <errno.h>
-#include <fcntl.h>
-#include <ftw.h>
-#include <poll.h>
 #include <signal.h>
-#include <stdint.h>
 #include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-#include <sys/resource.h>
-#include <sys/stat.h>
-#include <sys/statvfs.h>
-#include <sys/wait.h>
 #include <time.h>
-#include <unistd.h>
 
-enum {
-    MESSAGE_LIMIT = 256 * 1024, /* bytes of standard error that are kept */
-    TICK_MS = 5,                /* between two looks at a running program */
-    COUNT_MS = 100,             /* between two counts of what it uses */
-    OPEN_FILES = 256,           /* in each of its processes */
-    FILE_COUNT = 4096,          /* in its directory */
-    FILE_DEPTH = 64,            /* directories in one another */
-    SIGNALED = 128              /* and a signal: the status that means it */
-};
+enum { MEGABYTE = 1000 * 1000 };
 
-static const double seconds_to_end = 0.5;      /* between SIGTERM and SIGKILL */
-static const double seconds_to_clean_up = 2.0; /* for killed processes to be gone */
-
-/* ---- Standard files ---- */
-
-bool run_open_standard_files(void) {
-    for (int file = STDIN_FILENO; file <= STDERR_FILENO; file++) {
-        /* The lowest number that is free is this one. */
-        if (fcntl(file, F_GETFD) < 0 && open("/dev/null", O_RDONLY) != file) {
-            return false;
-        }
-    }
-    return true;
+double run_now(void) {
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec + (double)t.tv_nsec / 1e9;
 }
 
 /* ---- Being asked to end ---- */
@@ -55,21 +19,24 @@ bool run_open_standard_files(void) {
 /* The only changing global: a signal handler has no other way to tell. */
 static volatile sig_atomic_t caught_signal;
 
-static const int caught_signals[] = {SIGINT, SIGTERM, SIGHUP, SIGPIPE};
-
 static void catch_signal(int number) {
     caught_signal = number;
 }
 
 void run_catch_signals(void) {
-    for (size_t i = 0; i < sizeof caught_signals / sizeof caught_signals[0]; i++) {
+#ifdef _WIN32
+    signal(SIGINT, catch_signal);
+    signal(SIGTERM, catch_signal);
+#else
+    static const int caught[] = {SIGINT, SIGTERM, SIGHUP, SIGPIPE};
+    for (size_t i = 0; i < sizeof caught / sizeof caught[0]; i++) {
         struct sigaction action;
-        if (sigaction(caught_signals[i], NULL, &action) == 0 && action.sa_handler != SIG_IGN) {
-            memset(&action, 0, sizeof action);
-            action.sa_handler = catch_signal;
-            sigaction(caught_signals[i], &action, NULL);
+        if (sigaction(caught[i], NULL, &action) == 0 && action.sa_handler != SIG_IGN) {
+            action = (struct sigaction){.sa_handler = catch_signal};
+            sigaction(caught[i], &action, NULL);
         }
     }
+#endif
 }
 
 int run_caught_signal(void) {
@@ -81,6 +48,8 @@ void run_die_of_signal(void) {
     raise(caught_signal);
 }
 
+/* ---- How a program ended ---- */
+
 struct run_text run_signal_name(int number) {
     static const struct {
         int number;
@@ -90,18 +59,20 @@ struct run_text run_signal_name(int number) {
         {SIGABRT, "SIGABRT, ended by abort() or a failed assert()"},
         {SIGFPE, "SIGFPE, a whole number divided by 0"},
         {SIGILL, "SIGILL"},
+        {SIGTERM, "SIGTERM"},
+        {SIGINT, "SIGINT"},
+#ifndef _WIN32
         {SIGBUS, "SIGBUS, outside of an array, or a pointer to nothing"},
         {SIGTRAP, "SIGTRAP"},
         {SIGSYS, "SIGSYS"},
         {SIGPIPE, "SIGPIPE"},
         {SIGKILL, "SIGKILL"},
-        {SIGTERM, "SIGTERM"},
         {SIGXFSZ, "SIGXFSZ"},
         {SIGXCPU, "SIGXCPU"},
-        {SIGINT, "SIGINT"},
         {SIGQUIT, "SIGQUIT"},
         {SIGHUP, "SIGHUP"},
         {SIGALRM, "SIGALRM"},
+#endif
     };
     struct run_text name;
     snprintf(name.text, sizeof name.text, "signal %d", number);
@@ -112,10 +83,6 @@ struct run_text run_signal_name(int number) {
     }
     return name;
 }
-
-/* ---- Limits ---- */
-
-enum { MEGABYTE = 1000 * 1000 };
 
 struct run_limits run_program_limits(double seconds) {
     return (struct run_limits){.seconds = seconds,
@@ -138,11 +105,14 @@ struct run_text run_stopped_by(const struct run_result *result, const struct run
     } else if (result->end == RUN_DISK_FULL) {
         snprintf(text.text, sizeof text.text,
                  "stopped at more than %zu MB of files, %d of them, or %d levels deep",
-                 limits->disk_bytes / MEGABYTE, FILE_COUNT, FILE_DEPTH);
-    } else if (result->end == RUN_KILLED && result->number == SIGXFSZ) {
+                 limits->disk_bytes / MEGABYTE, RUN_FILE_COUNT, RUN_FILE_DEPTH);
+    }
+#ifdef SIGXFSZ
+    if (result->end == RUN_KILLED && result->number == SIGXFSZ) {
         snprintf(text.text, sizeof text.text, "SIGXFSZ, file larger than %zu MB",
                  limits->file_bytes / MEGABYTE);
     }
+#endif
     return text;
 }
 
@@ -155,474 +125,4 @@ struct run_text run_ended_by(const struct run_result *result, const struct run_l
         snprintf(text.text, sizeof text.text, "exit status %d", result->number);
     }
     return text;
-}
-
-/* ---- Time ---- */
-
-double run_now(void) {
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec + (double)t.tv_nsec / 1e9;
-}
-
-static void pause_ms(long ms) {
-    nanosleep(&(struct timespec){.tv_nsec = ms * 1000000}, NULL);
-}
-
-/* ---- What a program uses (Linux) ---- */
-
-/* What all its processes use together. */
-struct group {
-    size_t processes, bytes;
-};
-
-struct process {
-    pid_t id, parent, group;
-    size_t pages; /* in memory */
-    bool counts;
-};
-
-struct process_list {
-    struct process *processes;
-    size_t count, capacity;
-};
-
-/* From /proc/ID/stat, "ID (name) state parent group ...", of which the 24th is the pages in memory;
- * the name may hold anything. */
-static bool read_process(const char *id, struct process *process) {
-    char path[64], text[512];
-    long parent, group, pages;
-    snprintf(path, sizeof path, "/proc/%.20s/stat", id);
-    FILE *file = fopen(path, "r");
-    if (file == NULL) {
-        return false;
-    }
-    text[fread(text, 1, sizeof text - 1, file)] = '\0';
-    fclose(file);
-    const char *after_name = strrchr(text, ')');
-    if (after_name == NULL ||
-        sscanf(after_name + 1,
-               " %*c %ld %ld %*s %*s %*s %*s %*s %*s %*s %*s %*s %*s %*s %*s %*s %*s %*s %*s %*s "
-               "%*s %ld",
-               &parent, &group, &pages) != 3) {
-        return false;
-    }
-    *process = (struct process){.id = (pid_t)strtol(id, NULL, 10),
-                                .parent = (pid_t)parent,
-                                .group = (pid_t)group,
-                                .pages = pages > 0 ? (size_t)pages : 0};
-    return true;
-}
-
-/* List all processes; none where there is no /proc. */
-static struct process_list list_processes(void) {
-    struct process_list list = {.count = 0};
-    DIR *directory = opendir("/proc");
-    struct dirent *entry;
-    while (directory != NULL && (entry = readdir(directory)) != NULL) {
-        struct process process, *larger;
-        if (!isdigit((unsigned char)entry->d_name[0]) || !read_process(entry->d_name, &process)) {
-            continue;
-        }
-        larger = array_reserve(list.processes, &list.capacity, list.count + 1, sizeof *larger);
-        if (larger == NULL) {
-            break;
-        }
-        list.processes = larger;
-        larger[list.count++] = process;
-    }
-    if (directory != NULL) {
-        closedir(directory);
-    }
-    return list;
-}
-
-/* Is it one of the program's: in its group, or started by one that counts? */
-static bool belongs(const struct process_list *list, const struct process *process, pid_t leader) {
-    bool found = process->group == leader;
-    for (size_t i = 0; i < list->count && !found; i++) {
-        found = list->processes[i].counts && list->processes[i].id == process->parent;
-    }
-    return found;
-}
-
-/* Add up what the program's processes use, of which `leader` is the first. */
-static struct group measure_group(pid_t leader) {
-    struct process_list list = list_processes();
-    struct group found = {0};
-    size_t before, page = (size_t)sysconf(_SC_PAGESIZE);
-    do { /* a parent may come after its child in the list */
-        before = found.processes;
-        for (size_t i = 0; i < list.count; i++) {
-            struct process *process = &list.processes[i];
-            if (!process->counts && belongs(&list, process, leader)) {
-                process->counts = true;
-                found.processes++;
-                found.bytes += process->pages * page;
-            }
-        }
-    } while (found.processes != before);
-    free(list.processes);
-    return found;
-}
-
-/* Threads on the whole machine, which are at least those of this user; 0 when unknown. */
-static size_t count_threads(void) {
-    FILE *file = fopen("/proc/loadavg", "r");
-    size_t threads = 0;
-    if (file != NULL) {
-        if (fscanf(file, "%*s %*s %*s %*u/%zu", &threads) != 1) {
-            threads = 0;
-        }
-        fclose(file);
-    }
-    return threads;
-}
-
-/* ---- The child's side ---- */
-
-static void lower_limit(int resource, rlim_t soft, rlim_t hard) {
-    struct rlimit limit;
-    if (getrlimit(resource, &limit) != 0) {
-        return;
-    }
-    limit.rlim_max = limit.rlim_max < hard ? limit.rlim_max : hard;
-    limit.rlim_cur = soft < limit.rlim_max ? soft : limit.rlim_max;
-    setrlimit(resource, &limit);
-}
-
-static void limit_sizes(const struct run_limits *limits) {
-    if (limits->file_bytes > 0) {
-        lower_limit(RLIMIT_FSIZE, limits->file_bytes, limits->file_bytes);
-    }
-#ifndef __APPLE__ /* there the libraries that all processes share count as well: many GiB */
-    if (limits->memory_bytes > 0) {
-        lower_limit(RLIMIT_AS, limits->memory_bytes, limits->memory_bytes);
-    }
-#endif
-}
-
-static void limit_work(const struct run_limits *limits, size_t threads) {
-    long cores = 1;
-#ifdef _SC_NPROCESSORS_ONLN
-    cores = sysconf(_SC_NPROCESSORS_ONLN) > 1 ? sysconf(_SC_NPROCESSORS_ONLN) : 1;
-#endif
-    rlim_t seconds = (rlim_t)(limits->seconds * (double)cores) + 1;
-    lower_limit(RLIMIT_CPU, seconds, seconds + 1);
-    lower_limit(RLIMIT_CORE, 0, 0);
-    lower_limit(RLIMIT_NOFILE, OPEN_FILES, OPEN_FILES);
-#ifdef RLIMIT_NPROC
-    /* It counts all of the user's threads: leave room for those, and for ours. */
-    rlim_t processes = (threads > 0 ? threads : 2048) + limits->processes + 1024;
-    lower_limit(RLIMIT_NPROC, processes, processes);
-#else
-    (void)threads;
-#endif
-}
-
-static void child_fail(const char *what, const char *name) {
-    char text[512];
-    int length = snprintf(text, sizeof text, "cannot %s %s: %s\n", what, name, strerror(errno));
-    if (length > 0 && write(STDERR_FILENO, text, strlen(text)) < 0) {
-        _exit(126);
-    }
-    _exit(127);
-}
-
-/* The command that runs the programs, or NULL. */
-static const char *runner(void) {
-    const char *command = getenv("CHECK_RUNNER");
-    return command != NULL && command[0] != '\0' ? command : NULL;
-}
-
-static void execute(const struct run_command *command) {
-    enum { ARGUMENT_LIMIT = 64 };
-    const char *const *arguments = command->arguments;
-    const char *run_by[ARGUMENT_LIMIT + 2] = {runner()};
-    if (command->contained && run_by[0] != NULL) {
-        for (size_t i = 0; i < ARGUMENT_LIMIT && arguments[i] != NULL; i++) {
-            run_by[i + 1] = arguments[i];
-        }
-        arguments = run_by;
-    }
-    /* execvp() takes pointers to characters that it does not change. */
-    execvp(arguments[0], (char *const *)(uintptr_t)arguments);
-    child_fail("start", arguments[0]);
-}
-
-/* Stay between the check and the program, which comes back here as a child: a program that ends its
- * parent does not end the check. This process ends as the program does. */
-static void stand_between(void) {
-    pid_t program = fork();
-    int status;
-    if (program == 0) {
-        return;
-    }
-    signal(SIGTERM, SIG_IGN); /* the program may take its time after it, up to a limit */
-    if (program < 0 || waitpid(program, &status, 0) != program) {
-        _exit(127);
-    }
-    if (WIFSIGNALED(status)) {
-        signal(WTERMSIG(status), SIG_DFL);
-        raise(WTERMSIG(status));
-    }
-    _exit(WEXITSTATUS(status));
-}
-
-static void child(const struct run_command *command, int messages, size_t threads) {
-    setsid(); /* its own group, and no terminal to write a score to */
-    signal(SIGPIPE, SIG_DFL);
-    int input = open("/dev/null", O_RDONLY);
-    int output = command->output == NULL ? open("/dev/null", O_WRONLY)
-                                         : open(command->output, O_WRONLY | O_CREAT | O_EXCL, 0600);
-    if (input < 0 || output < 0 || dup2(input, STDIN_FILENO) < 0 ||
-        dup2(output, STDOUT_FILENO) < 0 || dup2(messages, STDERR_FILENO) < 0) {
-        _exit(127);
-    }
-    close(input);
-    close(output);
-    if (command->locale != NULL) {
-        setenv("LC_ALL", command->locale, 1);
-    }
-    if (command->directory != NULL && chdir(command->directory) != 0) {
-        child_fail("enter", command->directory);
-    }
-    if (command->contained) {
-        for (int file = STDERR_FILENO + 1; file < OPEN_FILES; file++) {
-            close(file); /* such as the pipe through which make hands out its jobs */
-        }
-        limit_work(&command->limits, threads);
-    }
-    limit_sizes(&command->limits);
-    if (command->contained) {
-        stand_between();
-    }
-    execute(command);
-}
-
-/* ---- The parent's side ---- */
-
-/* Has the process ended? It stays a zombie, so that its number, and with it the number of its
- * group, is not given to anyone else before the group is killed. */
-static bool has_ended(pid_t id) {
-    siginfo_t info;
-    memset(&info, 0, sizeof info);
-    return waitid(P_PID, (id_t)id, &info, WEXITED | WNOHANG | WNOWAIT) == 0 && info.si_pid == id;
-}
-
-/* Read what has come, at most one buffer; false when nothing has, or never will. */
-static bool read_messages(int pipe_end, struct bytes *messages) {
-    char buffer[65536];
-    ssize_t length = read(pipe_end, buffer, sizeof buffer);
-    if (length <= 0) {
-        return false;
-    }
-    size_t room = MESSAGE_LIMIT - messages->size;
-    bytes_append(messages, buffer, (size_t)length < room ? (size_t)length : room);
-    return true;
-}
-
-/* Wait a tick, or less when the program says something. */
-static void wait_a_tick(int *pipe_end, struct bytes *messages) {
-    struct pollfd waited = {.fd = *pipe_end, .events = POLLIN};
-    if (*pipe_end < 0) {
-        pause_ms(TICK_MS);
-    } else if (poll(&waited, 1, TICK_MS) > 0 && !read_messages(*pipe_end, messages)) {
-        close(*pipe_end);
-        *pipe_end = -1;
-    }
-}
-
-/* Read until nobody is left who could say more: what a container holds ends after the container. */
-static void wait_for_silence(int *pipe_end, struct bytes *messages) {
-    for (double end = run_now() + seconds_to_clean_up; *pipe_end >= 0 && run_now() < end;) {
-        wait_a_tick(pipe_end, messages);
-    }
-}
-
-/* What a directory holds; more than is allowed of depth or count is `full`. */
-struct disk_use {
-    size_t bytes, files;
-    bool full;
-};
-
-static void measure_directory(struct disk_use *use, int parent, const char *name, int depth) {
-    int file = openat(parent, name, O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
-    DIR *directory = file < 0 ? NULL : fdopendir(file);
-    struct dirent *entry;
-    struct stat status;
-    while (directory != NULL && !use->full && (entry = readdir(directory)) != NULL) {
-        bool counts = strcmp(entry->d_name, ".") != 0 && strcmp(entry->d_name, "..") != 0;
-        if (counts && fstatat(file, entry->d_name, &status, AT_SYMLINK_NOFOLLOW) == 0) {
-            use->files++;
-            use->bytes += (size_t)status.st_blocks * 512;
-            use->full = use->files > FILE_COUNT || depth > FILE_DEPTH;
-            if (S_ISDIR(status.st_mode) && !use->full) {
-                measure_directory(use, file, entry->d_name, depth + 1);
-            }
-        }
-    }
-    if (directory != NULL) {
-        closedir(directory);
-    } else if (file >= 0) {
-        close(file);
-    }
-}
-
-/* Does it use more than it may? RUN_EXITED: it does not. */
-static enum run_end judge_use(const struct run_command *command, pid_t id) {
-    const struct run_limits *limits = &command->limits;
-    struct group group = measure_group(id);
-    struct disk_use disk = {.bytes = 0};
-    if (limits->disk_bytes > 0) {
-        measure_directory(&disk, AT_FDCWD, command->directory, 0);
-    }
-    bool disk_full = disk.full || disk.bytes > limits->disk_bytes;
-    return group.processes > limits->processes + 1 /* the one between */  ? RUN_TOO_MANY
-           : limits->group_bytes > 0 && group.bytes > limits->group_bytes ? RUN_TOO_LARGE
-           : limits->disk_bytes > 0 && disk_full                          ? RUN_DISK_FULL
-                                                                          : RUN_EXITED;
-}
-
-/* Wait until the program ends or must be stopped. */
-static enum run_end watch(const struct run_command *command, pid_t id, int *pipe_end,
-                          struct bytes *messages) {
-    double start = run_now(), next_count = start + COUNT_MS / 1000.0;
-    while (!has_ended(id)) {
-        double time = run_now();
-        if (run_caught_signal() != 0) {
-            return RUN_INTERRUPTED;
-        }
-        if (time - start > command->limits.seconds) {
-            return RUN_OUT_OF_TIME;
-        }
-        if (command->contained && time > next_count) {
-            enum run_end end = judge_use(command, id);
-            next_count = run_now() + COUNT_MS / 1000.0;
-            if (end != RUN_EXITED) {
-                return end;
-            }
-        }
-        wait_a_tick(pipe_end, messages);
-    }
-    return RUN_EXITED;
-}
-
-/* The group may not be there yet: then there is only its leader. */
-static void signal_group(pid_t id, int number) {
-    if (kill(-id, number) != 0) {
-        kill(id, number);
-    }
-}
-
-/* End the whole group, and reap its leader. Returns the leader's wait status. */
-static int end_group(pid_t id, enum run_end end) {
-    if (end == RUN_OUT_OF_TIME || end == RUN_INTERRUPTED) {
-        signal_group(id, SIGTERM);
-        for (double limit = run_now() + seconds_to_end; run_now() < limit && !has_ended(id);) {
-            pause_ms(TICK_MS);
-        }
-    }
-    signal_group(id, SIGKILL);
-    int status = 0;
-    while (waitpid(id, &status, 0) < 0 && errno == EINTR) {
-    }
-    return status;
-}
-
-static void judge_status(struct run_result *result, int status, bool contained) {
-    if (result->end != RUN_EXITED) {
-        return;
-    }
-    bool told =
-        contained && runner() != NULL && WIFEXITED(status) && WEXITSTATUS(status) > SIGNALED;
-    if (WIFSIGNALED(status) || told) {
-        result->number = told ? WEXITSTATUS(status) - SIGNALED : WTERMSIG(status);
-        result->end = result->number == SIGXCPU ? RUN_OUT_OF_TIME : RUN_KILLED;
-    } else {
-        result->number = WEXITSTATUS(status);
-    }
-}
-
-/* A text ends at its first NUL: those in it become blanks. */
-static void blank_nuls(struct bytes *messages) {
-    for (size_t i = 0; i < messages->size; i++) {
-        messages->data[i] = messages->data[i] == '\0' ? ' ' : messages->data[i];
-    }
-}
-
-bool run(const struct run_command *command, struct run_result *result, struct error *error) {
-    *result = (struct run_result){.end = RUN_EXITED};
-    int ends[2];
-    if (pipe(ends) != 0) {
-        return error_set(error, "cannot make a pipe: %s", strerror(errno));
-    }
-    fcntl(ends[0], F_SETFD, FD_CLOEXEC);
-    fcntl(ends[1], F_SETFD, FD_CLOEXEC);
-    fcntl(ends[0], F_SETFL, O_NONBLOCK);
-    size_t threads = count_threads();
-    fflush(NULL);
-    pid_t id = fork();
-    if (id == 0) {
-        child(command, ends[1], threads);
-    }
-    close(ends[1]);
-    bool done = id > 0;
-    if (done) {
-        result->end = watch(command, id, &ends[0], &result->messages);
-        int status = end_group(id, result->end);
-        wait_for_silence(&ends[0], &result->messages);
-        blank_nuls(&result->messages);
-        judge_status(result, status, command->contained);
-        done = bytes_append(&result->messages, "", 1) || error_set(error, "out of memory");
-    } else {
-        error_set(error, "cannot make a process: %s", strerror(errno));
-    }
-    if (ends[0] >= 0) {
-        close(ends[0]);
-    }
-    return done;
-}
-
-/* ---- Directories ---- */
-
-const char *run_temporary(void) {
-    const char *directory = getenv("TMPDIR");
-    return directory != NULL && directory[0] == '/' ? directory : "/tmp";
-}
-
-bool run_has_room(const char *directory, size_t bytes, struct error *error) {
-    struct statvfs disk;
-    if (statvfs(directory, &disk) != 0) {
-        return true;
-    }
-    const double wanted = (double)bytes, free_bytes = (double)disk.f_bavail * (double)disk.f_frsize;
-    if (free_bytes < wanted) {
-        return error_set(error, "%.900s: %s (%.1f MB may be needed, %.1f MB are free)", directory,
-                         strerror(ENOSPC), wanted / MEGABYTE, free_bytes / MEGABYTE);
-    }
-    return disk.f_files == 0 || disk.f_favail > 0 || /* some file systems count none */
-           error_set(error, "%.900s: %s (for another file)", directory, strerror(ENOSPC));
-}
-
-bool run_directory_create(struct run_directory *directory, struct error *error) {
-    const char *parent = run_temporary();
-    if ((size_t)snprintf(directory->path, sizeof directory->path, "%s/check.XXXXXX", parent) >=
-        sizeof directory->path) {
-        return error_set(error, "%.900s: name too long", parent);
-    }
-    return mkdtemp(directory->path) != NULL ||
-           error_set(error, "cannot make a directory in %s: %s", parent, strerror(errno));
-}
-
-static int remove_entry(const char *path, const struct stat *status, int type, struct FTW *ftw) {
-    (void)status, (void)type, (void)ftw;
-    return remove(path);
-}
-
-void run_directory_remove(const char *path) {
-    enum { OPEN_DIRECTORIES = 16, TRIES = 3 }; /* a process that was killed may still be writing */
-    for (int i = 0; i < TRIES && access(path, F_OK) == 0; i++) {
-        nftw(path, remove_entry, OPEN_DIRECTORIES, FTW_DEPTH | FTW_PHYS);
-    }
 }

@@ -9,6 +9,10 @@
  * through /proc, since RLIMIT_NPROC counts all processes of a user and does not bind root. On other
  * systems RLIMIT_NPROC alone stops a program that forks without end.
  *
+ * On Windows a job object takes the group's place: at the end all of it is killed at once, and its
+ * memory and its number of processes are Windows' to limit. Files, CPU time and open files have no
+ * limit there, and CHECK_RUNNER is refused.
+ *
  * This isn't a sandbox: a program that wants to can leave its group, use the network, read and
  * write any file of the user. For programs of strangers CHECK_RUNNER in the environment names a
  * command that shuts them in (tests/teacher/grade/contain.sh does); it is called as `RUNNER PROGRAM
@@ -24,7 +28,11 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-enum { RUN_PATH_LIMIT = 2048 };
+enum {
+    RUN_PATH_LIMIT = 2048,
+    RUN_FILE_COUNT = 4096, /* in a program's directory */
+    RUN_FILE_DEPTH = 64    /* directories in one another */
+};
 
 struct run_limits {
     double seconds;      /* elapsed */
@@ -99,7 +107,12 @@ int run_caught_signal(void);
 /* End this process by that signal, once everything is cleaned up. */
 void run_die_of_signal(void);
 
-/* The directory of temporary files: $TMPDIR, or /tmp. */
+/* Keep the file for this process, until it ends, however it ends. Where another one has it, print
+ * `busy` on standard error once and wait, at most until a signal comes. False, with a message, when
+ * the file cannot be written. */
+bool run_lock(const char *path, const char *busy, struct error *error);
+
+/* The directory of temporary files: $TMPDIR, or /tmp; that of Windows. */
 const char *run_temporary(void);
 
 /* Is there room for so many bytes in new files of the directory? False, with a message, when the

@@ -8,7 +8,7 @@ there is no C compiler called $(firstword $(CC)). Is another one here (make CC=g
     Alpine                sudo apk add gcc musl-dev make
     Arch                  sudo pacman -S gcc make
     macOS                 xcode-select --install
-    MSYS2 (no check)      pacman -S make mingw-w64-ucrt-x86_64-gcc
+    MSYS2                 pacman -S make mingw-w64-ucrt-x86_64-gcc
 endef
 
 ifneq ($(filter-out help clean start solution handout commands,$(or $(MAKECMDGOALS),all)),)
@@ -24,13 +24,13 @@ $(warning TMPDIR=$(TMPDIR) is no directory: /tmp is taken)
 override TMPDIR := /tmp
 export TMPDIR
 endif
-# Windows itself draws the pictures. It has no fork() and no signals, which the check needs, calls
-# directories otherwise than the shell of MSYS2, converts to float in its isfinite(), and has its own
-# printf() without %zu.
+# Windows itself draws and checks the pictures. It has no sanitizers in gcc and no terminal that is
+# asked for its size, calls directories otherwise than the shell of MSYS2, converts to float in its
+# isfinite(), and has its own printf() without %zu.
 ifneq ($(filter windows,$(MISSING)),)
-POSIX := $(filter-out all programs models new $(patsubst %/.new,%,$(wildcard */.new)) $(STEPS) \
-             $(BUILD)/%,$(MAKECMDGOALS))
-$(if $(POSIX),$(error make $(POSIX) needs WSL: README.md, "Start"))
+POSIX := $(filter-out all programs models new check hint $(patsubst %/.new,%,$(wildcard */.new)) \
+             $(STEPS) $(BUILD)/%,$(MAKECMDGOALS)) $(SANITIZE:%=SANITIZE=%)
+$(if $(strip $(POSIX)),$(error make $(strip $(POSIX)) needs WSL: README.md, "Start"))
 override MAKE_TERMOUT =
 BUILT := $(or $(shell cygpath -am '$(BUILD)' 2>/dev/null),$(BUILT))
 WARNINGS += -Wno-float-conversion

@@ -10,7 +10,7 @@
  * blocks, sixel or kitty; where it is empty, what the terminal can. The last two are image files;
  * one that does not exist is left out.
  *
- * As many pictures are side by side as have 30 characters each, the others below. A large one is
+ * As many pictures are side by side as have 50 characters each, the others below. A large one is
  * shrunk to fit, and keeps what is drawn, even a single pixel; a small one is enlarged by a whole
  * number, so that its pixels are squares. Where a large one is wrong and WHICH is empty, its part
  * around the first wrong pixel is shown.
@@ -28,7 +28,7 @@ enum {
     STATUS_FAILED = 1,
     STATUS_USAGE = 2,
     ARGUMENTS = 9,      /* with the program's name */
-    LEAST_COLUMNS = 30, /* characters of a picture next to others */
+    LEAST_COLUMNS = 50, /* characters of a picture next to others */
     GAP = 2,            /* characters between two pictures */
     KEPT_LINES = 5,     /* of the terminal: title, names, put_hint(), the prompt */
     SIZE_LIMIT = 2000,  /* characters of a line, lines of a terminal */

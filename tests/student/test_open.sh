@@ -46,4 +46,30 @@ for arguments in "" "page title" "page title scene yours"; do
     said_by 2 "$build/compare_page" $arguments
 done
 said_by 1 "$build/compare_page" "$work/none/page.html" title scene step01_line/pixel.png none
+
+# ---- Which browser ----
+
+said=
+
+# opens WANTED PROGRAM...: browse.sh calls one of these so; wslpath names files as Windows does.
+mkdir "$work/bin" && for tool in sh uname; do ln -s "$(command -v $tool)" "$work/bin/$tool"; done
+opens() {
+    wanted=$1
+    shift
+    for program; do
+        printf '#!/bin/sh\necho "${0##*/} $*" >%s/opened\n' "$work" >"$work/bin/$program"
+        [ "$program" != wslpath ] || printf '#!/bin/sh\necho "W:$2"\n' >"$work/bin/wslpath"
+        chmod +x "$work/bin/$program"
+    done
+    : >"$work/opened"
+    env PATH="$work/bin" sh "$top/tests/student/browse.sh" /page
+    rm -f "$work"/bin/[ewx]*
+    [ "$(cat "$work/opened")" = "$wanted" ] || wrong "with $*: $(cat "$work/opened")"
+}
+opens 'wslview /page' wslview explorer.exe
+opens 'explorer.exe W:/page' explorer.exe wslpath
+opens '' xdg-open # no desktop
+DISPLAY=:0
+export DISPLAY
+opens 'xdg-open /page' xdg-open
 exit $failed

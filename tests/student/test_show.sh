@@ -59,12 +59,12 @@ says ';2;255;0;0m'
     printf '\0\0\2\0\0\0\0\0\0\0\0\0\144\0\144\0\30\0'
     head -c 30000 /dev/zero
 } >black.tga
-show 0 80 25 '' point.tga black.tga # 39 columns each
-says 'Only x 0 to 38, y 30 to 69: (0,50) is the first wrong pixel.'
+show 0 80 25 '' point.tga black.tga # one below the other
+says 'Only x 0 to 79, y 30 to 69: (0,50) is the first wrong pixel.'
 says 'WHICH=yours,reference,difference shows all of them.'
-[ "$(sed -n 12p "$said" | grep -o ';2;255;0;0m' | wc -l)" -eq 2 ] || wrong "not in yours and in the difference"
-show 0 94 25 '' point.tga black.tga # 30 columns each, the reference as well
-says 'Only x 0 to 29, y 30 to 69: (0,50) is the first wrong pixel.'
+[ "$(sed -n '12p; 33p' "$said" | grep -o ';2;255;0;0m' | wc -l)" -eq 2 ] || wrong "not in yours and in the difference"
+show 0 154 25 '' point.tga black.tga # 50 columns each, the reference as well
+says 'Only x 0 to 49, y 30 to 69: (0,50) is the first wrong pixel.'
 says 'WHICH=yours,reference,difference shows all of them.'
 show 0 80 25 yours point.tga black.tga
 silent 'Only x'
@@ -79,21 +79,25 @@ show 0 80 25 '' white100.tga black.tga # all is wrong: a part says less than the
 silent 'Only x'
 show 0 10 1 '' white.tga none.tga # one line at least
 size 2 1
-show 0 94 15 '' white.tga grey.tga # side by side: 20 + 2 + 20 + 2 + 20
+show 0 154 15 '' white.tga grey.tga # side by side: 20 + 2 + 20 + 2 + 20
 size 64 10
 [ "$(sed -n 2p "$said")" = "yours                 reference             difference" ] ||
     wrong "not side by side"
 says '38;2;64;64;64m'  # the reference
 says '38;2;255;0;0m'   # the difference: another colour
 silent 'WHICH='
-show 0 93 15 '' white.tga grey.tga # no room for three
+show 0 153 15 '' white.tga grey.tga # no room for three
 size 42 10
 [ "$(sed -n 2p "$said")" = "yours                 difference" ] || wrong "not these two"
 says 'WHICH=yours,reference,difference shows all of them.'
-show 0 62 15 '' white.tga white.tga # the reference, where there is no difference
+show 0 102 15 '' white.tga white.tga # the reference, where there is no difference
 [ "$(sed -n 2p "$said")" = "yours                 reference" ] || wrong "not these two"
 silent 'WHICH='
-show 0 61 10 reference,yours white.tga grey.tga # one below the other
+show 0 80 24 '' white.tga grey.tga # the usual terminal: one below the other
+[ "$(grep -x -e yours -e reference -e difference "$said" | xargs)" = 'yours difference' ] ||
+    wrong "not these two, one below the other"
+says 'WHICH=yours,reference,difference shows all of them.'
+show 0 101 10 reference,yours white.tga grey.tga # one below the other
 [ "$(grep -cx -e yours -e reference "$said")" -eq 2 ] || wrong "not one below the other"
 show 0 94 15 reference none.tga grey.tga
 size 20 10
@@ -224,9 +228,10 @@ says 'show: WHICH=mine is none of yours,reference,difference'
 make_show 1 STEP=01 WHICH=yours KIND=paper
 says 'show: KIND=paper is none of blocks, sixel, kitty'
 
-# A terminal of 50 lines and 160 columns is filled; one that does not know its size is taken for 24 lines.
+# A terminal of 50 lines and 160 columns is filled; one that does not know its size is taken for 24
+# lines of 80, and shows one picture below the other.
 if script -qec true /dev/null >/dev/null 2>&1; then
-    for size in '50 160 46' '0 0 22'; do
+    for size in '50 160 46' '0 0 41'; do
         # shellcheck disable=SC2086 # three words
         set -- $size
         script -qec "stty rows $1 cols $2; sh tests/student/show.sh '$build' 5 zbuffer '' blocks" /dev/null >"$work/filled"

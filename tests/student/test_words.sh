@@ -29,11 +29,15 @@ said_by 1 make -s -C "$work" marked
 says 'step01_line/main.c has lost its marks'
 cp step01_line/main.c "$work/step01_line" && said_by 0 make -s -C "$work" marked
 
-# A compiler that builds for Windows, which draws, but does not check.
+# A compiler that builds for Windows, which draws and checks, and leaves the rest to WSL.
 printf '#!/bin/sh\necho x86_64-w64-mingw32\n' >"$work/gcc" && chmod +x "$work/gcc" || exit 1
-said_by 1 make CC="$work/gcc" check
-says 'make check needs WSL'
+said_by 1 make CC="$work/gcc" show
+says 'make show needs WSL'
+said_by 1 make CC="$work/gcc" check SANITIZE=1
+says 'make SANITIZE=1 needs WSL'
 said_by 0 make -s CC="$work/gcc" -n programs
+said_by 1 make CC="$work/gcc" BUILD="$work/build" check
+silent 'needs WSL'
 
 if command -v bmake >/dev/null; then
     bmake check >"$work/said" 2>&1 && wrong "bmake makes it"

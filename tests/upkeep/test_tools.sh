@@ -1,7 +1,8 @@
 #!/bin/sh
 # Do the scripts that students and instructors run use only what the tools of a Mac and of busybox have
 # as well? They are searched for what only GNU's have; and with busybox's tools, where it is installed,
-# they write the same.
+# they write the same. So are the makefiles for what make 3.81 lacks, which checks a lesson where it is
+# called make-3.81.
 . "$(dirname "$0")/../unit/script.sh"
 
 # What CI alone runs may use GNU's: tests, and what makes or tries classes and templates.
@@ -30,6 +31,17 @@ foreign "${begins}(sort|head|tail|cut|tr|wc|cp|mv|ln|ls|find|xargs|diff|cmp|mkdi
 foreign "${begins}(xargs .*-(r|d|a) |find .*-printf|head -n *-[0-9]|sort .*-[a-zA-Z]*[zVh] |echo -[ne] |ls .*--)" \
     "an option that is GNU's"
 foreign '(gensub|strftime|systime|asorti?)\(|\\y' "a function of gawk's"
+
+foreign '^([A-Za-z_]+ *(!|::+)=|define .*=|undefine |private |\.(ONESHELL|RECIPEPREFIX)|.*\$[({](file|guile) )' \
+    "make 3.81, a Mac's, does not know it"
+
+# ---- make 3.81, where it is called so ----
+
+if command -v make-3.81 >/dev/null; then
+    said_by 0 make-3.81 -s BUILD="$work/old" CFLAGS=-O0 MARCH= check STEP=01
+    says 'step01_line  PASS'
+    said_by 0 make-3.81 -s BUILD="$work/old" CFLAGS=-O0 MARCH= open STEP=01
+fi
 
 # ---- busybox ----
 

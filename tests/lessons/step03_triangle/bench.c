@@ -4,8 +4,8 @@
  * centres; the values at the rest need more digits than a float has.
  *
  * All versions write rows with image_fill_row(). Each triangle has its own colour, and each
- * version too: so the picture of the last run tells which triangle it shows at each pixel. The
- * error counts pixels that show another one than 128-bit integers say.
+ * version too: so the picture of the last run says which triangle each pixel shows. The error
+ * counts the pixels for which 128-bit integers say another one.
  */
 #define LESSON "../step03_triangle/main.c"
 #include "lesson.h"

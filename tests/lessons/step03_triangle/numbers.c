@@ -108,7 +108,7 @@ static struct shown called_filled(struct fixed2 a, struct fixed2 b, struct fixed
     return show("%llu: %.150s", count, show_pixels(&image).text);
 }
 
-/* Above the image there is a row more, for who draws there. */
+/* There is one more row above the image, for programs that draw there. */
 static uint64_t called_counted(struct fixed2 a, struct fixed2 b, struct fixed2 c) {
     struct image image = black_image(8, 9);
     image.height = 8;

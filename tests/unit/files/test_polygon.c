@@ -271,7 +271,7 @@ static void test_chosen_polygons(void) {
     static const struct {
         const char *name, *triangles;
         size_t size;
-        struct vec3 corners[5];
+        struct vec3 corners[8];
     } rows[] = {
         {"triangle", "0 1 2", 3, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}},
         {"no triangle", "0 1 2", 3, {{1, 1, 1}, {1, 1, 1}, {1, 1, 1}}},
@@ -288,6 +288,11 @@ static void test_chosen_polygons(void) {
         {"on a line", "0 1 2, 0 2 3", 4, {{0, 0, 0}, {2, 2, 2}, {1, 1, 1}, {3, 3, 3}}},
         /* Not flat, and seen from above it is convex; from the right it is not. */
         {"facing up", "0 1 2, 0 2 3", 4, {{1, 3, 3}, {2, 1, 3}, {1, 3, 1}, {0, 2, 2}}},
+        /* An arrow with a spike in each half: once cut off, neither is in the way. */
+        {"spikes inside",
+         "1 2 3, 1 3 4, 5 6 7, 5 7 0, 0 1 4, 0 4 5",
+         8,
+         {{0, 0, 0}, {8, 0, 0}, {3, 1, 0}, {8, 0, 0}, {2, 2, 0}, {0, 8, 0}, {1, 3, 0}, {0, 8, 0}}},
         {"in one place",
          "0 1 2, 0 2 3, 0 3 4",
          5,

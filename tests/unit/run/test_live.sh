@@ -53,6 +53,6 @@ printf '%s\n' '--set attempt=1 --set wrong=1 --probe 1,0 --stats text' 'size 3 2
 grep -aqF '{"name":"your own","frames":1,"text":"size 100 100\nline 13' "$work/all" || wrong "no text to begin with"
 has 2 'pixels_wrong 0'
 has 3 'pixels_missing 1'
-has 4 ' at x = 1 the line is at y = 0 + 1 * 1/2 = 0.500'
+has 4 ' at x = 1 the line is at y = 0 + 1 * 1/2 = 0.500, error -0.500'
 [ "$(grep -ac 'error --probe wants a pixel X,Y, not' "$work/answer")" -eq 2 ] || wrong "any pixel is taken"
 exit $failed

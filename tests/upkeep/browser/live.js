@@ -166,6 +166,7 @@ async function notes(page, x, y) {
     await page.evaluate(() => { shown.notes = []; }); /* those of another pixel */
     await page.mouse.move(...await placeOf(page, x + 1, y));
     await page.mouse.move(...await placeOf(page, x, y));
+    await page.waitForTimeout(100); /* until it rests there */
     await page.waitForFunction(() => shown.notes.length > 0 && !asking && !again);
     await settled(page);
     return page.evaluate('shown.notes.join("\\n")');
@@ -542,6 +543,10 @@ test('the pixel under the cursor is a parallelogram on the texture', () =>
             const [wide, corner] = await outline();
             near(wide, (Math.abs(ru) + Math.abs(uu)) / (Math.abs(rv) + Math.abs(uv)), 0.05);
             near(corner, v / u, 0.15);
+            const place = text => text.match(/u (\S+) +v (\S+)/).slice(1).map(Number);
+            const [here, above] = [place(said), place(await notes(page, x, y + 8))];
+            assert.equal(Math.sign(uv), Math.sign(above[1] - here[1]));
+            assert.equal(Math.sign(uu), Math.sign(above[0] - here[0]));
         }
         await picture(page, 'footprint');
     }));

@@ -122,7 +122,7 @@ order() { # FILE
 }
 
 # Compiles a source that includes what changed; false where it doesn't compile. Adds to `changed` an
-# object that is another one than before.
+# object that differs from the one before.
 recompile() { # TREE SOURCE
     object=${2%.c}.o
     [ ! -f "$1/$object" ] || return 0
