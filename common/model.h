@@ -43,7 +43,9 @@ enum model_texture_kind {
 /* How faces look, as a file of materials says that the model's file names. */
 struct model_material {
     char *name;
-    float color[3]; /* red green blue 0..1 */
+    float color[3];   /* red green blue 0..1 */
+    float ambient[3]; /* the same of its ambient light, where it `has_ambient` */
+    bool has_ambient;
     float specular; /* the weight of its shine 0..1 where it has no map; negative: unknown */
     float power;    /* of its shine; 0: unknown */
     bool hidden;    /* altogether transparent */

@@ -2,13 +2,9 @@
  * What every scene that draws with the pipeline does around pipeline_draw().
  *
  * program.h and pipeline.h know nothing of each other; this header knows both, so that the lessons
- * before lesson 9 carry no pipeline with them, and a pipeline needs no program. Such a program says
- *
- *     .state_size = sizeof(struct pipeline),
- *     .prepare = pipeline_begin_drawing,
- *     .finish = pipeline_end_drawing,
- *
- * and each draw function begins with pipeline_begin() and ends with pipeline_end().
+ * before lesson 9 carry no pipeline with them, and a pipeline needs no program. Such a program
+ * has PIPELINE_PROGRAM among its fields; each of its draw functions begins with pipeline_begin()
+ * and ends with pipeline_end().
  */
 #ifndef COMMON_PIPELINE_PROGRAM_H
 #define COMMON_PIPELINE_PROGRAM_H
@@ -25,6 +21,10 @@ static inline bool pipeline_begin_drawing(struct drawing *drawing, size_t width,
 static inline void pipeline_end_drawing(struct drawing *drawing) {
     pipeline_free(drawing->state);
 }
+
+#define PIPELINE_PROGRAM                                                                           \
+    .takes_light = true, .takes_camera = true, .state_size = sizeof(struct pipeline),              \
+    .prepare = pipeline_begin_drawing, .finish = pipeline_end_drawing
 
 /* The drawing's pipeline, cleared for a frame. */
 static inline struct pipeline *pipeline_begin(struct drawing *drawing) {

@@ -239,9 +239,8 @@ static void say(const struct command *command, const struct error *error) {
     fprintf(stderr, "%s: %s\n", command->run.program->name, error->message);
 }
 
-/* Say once what was wrong with the files of a model that is drawn all the same. */
-static void warn_of_file(struct command *command) {
-    struct model *model = &command->run.model;
+/* Say once what was wrong with the file of a model that is drawn all the same. */
+static void warn_of_file(const struct command *command, struct model *model) {
     for (int i = 0; i < MODEL_WARNINGS; i++) {
         struct error warning;
         if (model->warning_line[i] > 0) {
@@ -251,6 +250,14 @@ static void warn_of_file(struct command *command) {
             say(command, &warning);
         }
         model->warning_line[i] = 0;
+    }
+}
+
+/* The same of all models, and of textures. */
+static void warn_of_files(struct command *command) {
+    warn_of_file(command, &command->run.model);
+    for (size_t i = 0; i < command->options.more_count; i++) {
+        warn_of_file(command, &command->run.others[i]);
     }
     for (int i = 0; i < MODEL_TEXTURE_KINDS; i++) {
         struct error *replaced = &command->run.replaced[i];
@@ -330,6 +337,9 @@ static const char *advise(const struct command *command, const struct stage *sta
     const struct options *options = &command->options;
     const struct program *program = command->run.program;
     struct box3 box = model_box(stage->drawing.model);
+    if (stage->drawing.parts != NULL && stage->drawing.part_count == 0) {
+        return ": its materials hide all faces (d 0)";
+    }
     bool placed =
         program->takes_camera && !(same_point(stage->scene.eye, program->defaults.eye) &&
                                    same_point(stage->scene.center, program->defaults.center));
@@ -423,7 +433,7 @@ static bool draw_scene(struct command *command, const struct scene *given, struc
     struct stage stage = {0};
     bool done = frames_create(&frames, options, &scene, error) &&
                 stage_begin(&stage, &command->run, &scene, frames.width, frames.height, error);
-    warn_of_file(command);
+    warn_of_files(command);
     if (done) {
         suggest_fit(command, stage.drawing.model);
     }

@@ -344,24 +344,23 @@ static void convert_colors(const struct tga *tga, const uint8_t *stored, size_t 
     }
 }
 
-/* The next `count` stored pixels of the file, which is known to hold them, become pixels. */
-static bool convert_pixels(struct tga *tga, size_t count, uint8_t *pixels, struct error *error) {
+/* The next `count` stored pixels of the file, which is known to hold them, become pixels. Colours
+ * that the map does not have are black and opaque, as in PNG. */
+static void convert_pixels(struct tga *tga, size_t count, uint8_t *pixels) {
     const uint8_t *stored = tga->next;
     tga->next += count * tga->stored;
     if (tga->type != TGA_COLOR_MAPPED) {
         convert_colors(tga, stored, count, pixels);
-        return true;
+        return;
     }
-    for (size_t i = 0; i < count; i++) {
-        unsigned index = stored[i];
-        if (index < tga->map_first || index - tga->map_first >= tga->map_length) {
-            return error_set(error, "a TGA pixel has colour %u, but the colour map has %u to %u",
-                             index, tga->map_first, tga->map_first + tga->map_length - 1);
+    for (size_t i = 0; i < count; i++, pixels += tga->format) {
+        unsigned index = stored[i] - tga->map_first; /* below the map it is large */
+        if (index < tga->map_length) {
+            convert_colors(tga, tga->map + index * depth_bytes(tga->map_depth), 1, pixels);
+        } else {
+            store_color(pixels, tga->format, (struct color){.a = 255});
         }
-        const uint8_t *entry = tga->map + (index - tga->map_first) * depth_bytes(tga->map_depth);
-        convert_colors(tga, entry, 1, pixels + i * (size_t)tga->format);
     }
-    return true;
 }
 
 /* Fill `count` pixels with copies of the one before them. */
@@ -457,9 +456,7 @@ static bool unpack_packets(struct tga *tga, uint8_t *pixels, size_t count_all,
         if (stored_count * tga->stored > (size_t)(tga->end - tga->next)) {
             return error_set(error, "a TGA cut off: %zu pixels are missing", left);
         }
-        if (!convert_pixels(tga, stored_count, pixels, error)) {
-            return false;
-        }
+        convert_pixels(tga, stored_count, pixels);
         repeat_pixel(pixels + stored_count * pixel_size, count - stored_count, pixel_size);
         pixels += count * pixel_size;
         left -= count;
@@ -496,9 +493,9 @@ bool tga_decode(struct image *image, const void *data, size_t size, struct error
     }
     size_t count = image->width * image->height;
     assert(count > 0);
-    bool done = tga.run_length ? unpack_packets(&tga, image->pixels, count, error)
-                               : convert_pixels(&tga, count, image->pixels, error);
-    if (!done) {
+    if (!tga.run_length) {
+        convert_pixels(&tga, count, image->pixels);
+    } else if (!unpack_packets(&tga, image->pixels, count, error)) {
         image_free(image);
         return false;
     }

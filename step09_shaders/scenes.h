@@ -705,13 +705,9 @@ static const struct scene scenes[] = {
 static const struct program step09_shaders = {
     .name = "step09_shaders",
     .summary = "one pipeline, many looks: shaders",
-    .takes_light = true,
-    .takes_camera = true,
     .defaults =
         {.width = 800, .height = 800, .eye = {1, 0.5, 3}, .up = {0, 1, 0}, .light = {1, 1, 1}},
     .scenes = scenes,
     .scene_count = sizeof scenes / sizeof scenes[0],
-    .state_size = sizeof(struct pipeline),
-    .prepare = pipeline_begin_drawing,
-    .finish = pipeline_end_drawing,
+    PIPELINE_PROGRAM,
 };

@@ -6,6 +6,7 @@
 #include "tangent.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 /* ---- Normal maps in tangent space: see TANGENT.md ---- */
 
@@ -106,6 +107,49 @@ static const struct shader *drawn_by(const struct drawing *drawing, const struct
     return shader == &mapped ? &plain : &textured;
 }
 
+/* ---- Materials whose ambient light has colours of its own: see MORE.md ---- */
+
+/* What a shader of the lesson reads, to draw without ambient light, and the light on top of it. */
+struct ambient_uniforms {
+    struct uniforms without;
+    const struct shader *shader;
+    const struct texture *colors;
+    double weight;
+};
+
+static void ambient_vertex(const void *uniforms, size_t face, size_t corner, double *varyings) {
+    const struct ambient_uniforms *a = uniforms;
+    memset(varyings, 0, (5 + TANGENT_VARYINGS) * sizeof *varyings);
+    a->shader->vertex(&a->without, face, corner, varyings);
+}
+
+static lanes_mask ambient_fragment(const void *uniforms, const lanes *varyings,
+                                   lanes_texel *color) {
+    const struct ambient_uniforms *a = uniforms;
+    const lanes weight = lanes_all((real)a->weight);
+    struct lanes3 light = texture_lanes(a->colors, uv_of(varyings), a->without.diffuse_level);
+    a->shader->fragment(&a->without, varyings, color);
+    *color = lanes_rgb(lanes_from_int((lanes_int)(*color >> 16 & 255)) + weight * light.x,
+                       lanes_from_int((lanes_int)(*color >> 8 & 255)) + weight * light.y,
+                       lanes_from_int((lanes_int)(*color & 255)) + weight * light.z);
+    return lanes_all_set();
+}
+
+static const struct shader own_ambient = {
+    .varying_count = 5 + TANGENT_VARYINGS, .vertex = ambient_vertex, .fragment = ambient_fragment};
+
+/* Record a call with a shader of the lesson, as the drawing's material and maps want it. */
+static bool draw_part(struct drawing *drawing, const struct draw_call *call,
+                      const struct shader *shader, const struct uniforms *u, struct error *error) {
+    const struct shader *drawn = drawn_by(drawing, shader);
+    if (drawing->ambient == NULL || shader == &plain || shader == &mapped) {
+        return pipeline_draw(drawing->state, call, drawn, u, sizeof *u, error);
+    }
+    struct ambient_uniforms own = {*u, drawn, drawing->ambient, u->material.ambient};
+    own.without.material.ambient = 0;
+    return pipeline_draw(drawing->state, call, &own_ambient, &own, sizeof own, error);
+}
+
 /* One cell of a picture. */
 struct cell {
     const struct shader *shader;
@@ -187,9 +231,8 @@ static struct material own_material(const struct drawing *drawing, struct materi
 }
 
 /* Record the drawing's model, or a part of it, as one cell has it. */
-static bool record_cell(struct drawing *drawing, struct pipeline *pipeline,
-                        const struct image *image, const struct cell *cell, struct rectangle place,
-                        double zoom, struct error *error) {
+static bool record_cell(struct drawing *drawing, const struct image *image, const struct cell *cell,
+                        struct rectangle place, double zoom, struct error *error) {
     struct draw_call call = pipeline_call(drawing, place, zoom, CULL_BACK);
     bool textured_cell = cell->shader != &plain && cell->shader != &mapped;
     struct uniforms u =
@@ -207,19 +250,19 @@ static bool record_cell(struct drawing *drawing, struct pipeline *pipeline,
         u.specular_level = 0;
     }
     note_light(drawing, image, &call, &u);
-    return pipeline_draw(pipeline, &call, drawn_by(drawing, cell->shader), &u, sizeof u, error);
+    return draw_part(drawing, &call, cell->shader, &u, error);
 }
 
 /* Draw rows of cells, the first one top left. */
 static bool draw_cells(struct drawing *drawing, struct image *image, const struct cell *cells,
                        int columns, int rows, double zoom, struct error *error) {
-    struct pipeline *pipeline = pipeline_begin(drawing);
     bool done = true;
+    pipeline_begin(drawing);
     for (int i = 0; done && i < columns * rows; i++) {
         struct rectangle place =
             grid_cell(image->width, image->height, columns, rows, i % columns, i / columns);
         for (size_t part = 0; drawing_take_part(drawing, part); part++) {
-            done = done && record_cell(drawing, pipeline, image, &cells[i], place, zoom, error);
+            done = done && record_cell(drawing, image, &cells[i], place, zoom, error);
         }
     }
     return pipeline_end(drawing, done, image, error);
@@ -392,9 +435,9 @@ enum { TURN_FRAMES = 100 };
 /* The light goes once around the head. For each frame it is asked for another place first: it must
  * not count how often it is asked. */
 static bool draw_turn(struct drawing *drawing, struct image *image, struct error *error) {
-    struct pipeline *pipeline = pipeline_begin(drawing);
     struct rectangle whole = grid_cell(image->width, image->height, 1, 1, 0, 0);
     bool done = true;
+    pipeline_begin(drawing);
     (void)turning_light(0.5);
     struct vec3 to_light = turning_light((double)drawing->frame / TURN_FRAMES);
     for (size_t part = 0; drawing_take_part(drawing, part); part++) {
@@ -402,8 +445,7 @@ static bool draw_turn(struct drawing *drawing, struct image *image, struct error
         struct uniforms u =
             make_uniforms(drawing, 0.85 * whole.width, own_material(drawing, textured_material));
         u.to_light = to_light;
-        const struct shader *shader = drawn_by(drawing, &weight_mapped);
-        done = done && pipeline_draw(pipeline, &call, shader, &u, sizeof u, error);
+        done = done && draw_part(drawing, &call, &weight_mapped, &u, error);
     }
     return pipeline_end(drawing, done, image, error);
 }
@@ -484,13 +526,9 @@ static const struct scene scenes[] = {
 static const struct program step10_phong = {
     .name = "step10_phong",
     .summary = "Phong's light at every pixel, normal map, texture, and a turning light",
-    .takes_light = true,
-    .takes_camera = true,
     .defaults =
         {.width = 800, .height = 800, .eye = {1, 0.5, 3}, .up = {0, 1, 0}, .light = {1, 1, 1}},
     .scenes = scenes,
     .scene_count = sizeof scenes / sizeof scenes[0],
-    .state_size = sizeof(struct pipeline),
-    .prepare = pipeline_begin_drawing,
-    .finish = pipeline_end_drawing,
+    PIPELINE_PROGRAM,
 };

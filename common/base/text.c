@@ -44,16 +44,19 @@ bool text_error(struct error *error, size_t line, const char *format, ...) {
 /* ---- UTF-16 ---- */
 
 bool text_is_utf16(const void *data, size_t size) {
-    return size >= 2 && (memcmp(data, "\xFF\xFE", 2) == 0 || memcmp(data, "\xFE\xFF", 2) == 0);
+    const unsigned char *b = data;
+    return size >= 2 && (memcmp(b, "\xFF\xFE", 2) == 0 || memcmp(b, "\xFE\xFF", 2) == 0 ||
+                         (size >= 4 && ((b[0] == 0 && b[1] > 0 && b[2] == 0 && b[3] > 0) ||
+                                        (b[0] > 0 && b[1] == 0 && b[2] > 0 && b[3] == 0))));
 }
 
 bool text_from_utf16(struct bytes *utf8, const void *data, size_t size) {
     const unsigned char *bytes = data;
-    size_t high = bytes[0] == 0xFE ? 0 : 1; /* the byte of a unit that counts 256 times */
+    size_t high = bytes[0] == 0xFE || bytes[0] == 0 ? 0 : 1; /* the byte that counts 256 times */
     if (size > SIZE_MAX / 2 || !bytes_reserve(utf8, size / 2 * 3)) {
         return false;
     }
-    for (size_t i = 2; i + 1 < size; i += 2) {
+    for (size_t i = bytes[0] >= 0xFE ? 2 : 0; i + 1 < size; i += 2) {
         unsigned unit = (unsigned)bytes[i + high] << 8 | bytes[i + 1 - high];
         unsigned char *p = utf8->data + utf8->size;
         size_t length = unit < 0x80 ? 1 : unit < 0x800 ? 2 : 3;
@@ -67,6 +70,19 @@ bool text_from_utf16(struct bytes *utf8, const void *data, size_t size) {
 }
 
 /* ---- Lines and words ---- */
+
+static int to_small(int c) {
+    return c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c;
+}
+
+bool word_begins(struct word word, const char *beginning) {
+    size_t i = 0;
+    while (i < word.length && to_small(word.start[i]) == to_small(beginning[i]) &&
+           beginning[i] != '\0') {
+        i++;
+    }
+    return beginning[i] == '\0';
+}
 
 static bool is_line_end(char c) {
     return c == '\n' || c == '\r';

@@ -31,7 +31,8 @@ struct word {
     size_t length;
 };
 
-/* Is a text UTF-16, as its first two bytes say? Windows calls it Unicode. */
+/* Is a text UTF-16, which Windows calls Unicode? Its first two bytes say so or, without those, a
+ * zero in every other byte of two letters. */
 bool text_is_utf16(const void *data, size_t size);
 
 /* Append it to `utf8` as UTF-8, without these two bytes. Each half of a pair becomes three bytes by
@@ -58,6 +59,9 @@ struct word text_rest_of_line(struct text *text);
 
 /* The next word, read as a number as by word_to_double(); NaN where it is none. */
 struct word text_next_number(struct text *text, double *number);
+
+/* Does the word begin like this, in small or in capital letters? */
+bool word_begins(struct word word, const char *beginning);
 
 /* Is the word exactly this string? */
 static inline bool word_is(struct word word, const char *string) {

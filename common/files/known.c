@@ -1,60 +1,58 @@
 /* Kinds of files, known by how they begin; see known.h. */
 #include "files/known.h"
 
+#include "base/text.h"
+
 #include <stdint.h>
 #include <string.h>
 
-#define CONVERT  "`magick FILE NEW.png` converts it"
-#define EXPORT   "Blender, for one, exports it as OBJ"
-#define DOWNLOAD "download the file itself"
+enum kind { MODEL, PICTURE, PAGE, POINTER, GZIP, ZIP };
 
-/* Letters of the beginning count in either case. */
-static const struct known_file {
-    const char *begins;
-    size_t at; /* byte */
-    const char *what, *advice;
-} known_files[] = {
-    {"version https://git-lfs", 0, "a Git LFS pointer", "`git lfs pull` fetches the file itself"},
-    {"<!doctype html", 0, "an HTML page", DOWNLOAD},
-    {"<html", 0, "an HTML page", DOWNLOAD},
-    {"\x1F\x8B", 0, "a gzip archive", "`gzip -d FILE.gz` unpacks it"},
-    {"PK\3\4", 0, "a ZIP archive", "`unzip FILE` unpacks it"},
-    /* Models. */
-    {"ply\n", 0, "a PLY file", EXPORT},
-    {"ply\r", 0, "a PLY file", EXPORT},
-    {"solid", 0, "an STL file", EXPORT},
-    {"glTF", 0, "a glTF file", EXPORT},
-    {"{", 0, "JSON, perhaps a glTF file", EXPORT},
-    {"Kaydara FBX", 0, "an FBX file", EXPORT},
-    {"; FBX", 0, "an FBX file", EXPORT},
-    {"BLENDER", 0, "a Blender file", EXPORT},
-    {"#VRML", 0, "a VRML file", EXPORT},
-    {"<?xml", 0, "XML, perhaps COLLADA or X3D", EXPORT},
-    {"<COLLADA", 0, "a COLLADA file", EXPORT},
-    /* Pictures. */
-    {"\xFF\xD8\xFF", 0, "a JPEG file", CONVERT},
-    {"WEBP", 8, "a WebP file", CONVERT},
-    {"GIF8", 0, "a GIF file", CONVERT},
-    {"BM", 0, "a BMP file", CONVERT},
-    {"DDS ", 0, "a DDS file", CONVERT},
-    {"8BPS", 0, "a Photoshop file", CONVERT},
-    {"II*", 0, "a TIFF file", CONVERT},
-    {"\x76\x2F\x31\x01", 0, "an OpenEXR file", CONVERT},
-    {"#?RADIANCE", 0, "a Radiance HDR file", CONVERT},
+static const char *const advices[] = {
+    [MODEL] = "Blender, for one, exports it as OBJ",
+    [PICTURE] = "`magick FILE NEW.png` converts it",
+    [PAGE] = "download the file itself",
+    [POINTER] = "`git lfs pull` fetches the file itself",
+    [GZIP] = "`gzip -d FILE.gz` unpacks it",
+    [ZIP] = "`unzip FILE` unpacks it",
 };
 
-static int to_small(int c) {
-    return c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c;
-}
-
-static bool begins_as(const struct known_file *known, const uint8_t *data, size_t size) {
-    size_t length = strlen(known->begins), same = 0;
-    while (same < length && known->at + same < size &&
-           to_small(data[known->at + same]) == to_small((uint8_t)known->begins[same])) {
-        same++;
-    }
-    return same == length;
-}
+/* Letters of the beginning count in either case. Of several that fit, the first one counts. */
+static const struct known_file {
+    const char *begins;
+    size_t at; /* byte, behind blanks */
+    const char *what;
+    enum kind kind;
+} known_files[] = {
+    {"version https://git-lfs", 0, "a Git LFS pointer", POINTER},
+    {"<!doctype html", 0, "an HTML page", PAGE},
+    {"<html", 0, "an HTML page", PAGE},
+    {"404: Not Found", 0, "what a server says of a missing file", PAGE},
+    {"\x1F\x8B", 0, "a gzip archive", GZIP},
+    {"PK\3\4", 0, "a ZIP archive", ZIP},
+    {"ply\n", 0, "a PLY file", MODEL},
+    {"ply\r", 0, "a PLY file", MODEL},
+    {"solid", 0, "an STL file", MODEL},
+    {"glTF", 0, "a glTF file", MODEL},
+    {"{", 0, "JSON, perhaps a glTF file", MODEL},
+    {"Kaydara FBX", 0, "an FBX file", MODEL},
+    {"; FBX", 0, "an FBX file", MODEL},
+    {"BLENDER", 0, "a Blender file", MODEL},
+    {"#VRML", 0, "a VRML file", MODEL},
+    {"<?xml", 0, "XML, perhaps COLLADA or X3D", MODEL},
+    {"<COLLADA", 0, "a COLLADA file", MODEL},
+    {"<", 0, "a page of HTML or XML", PAGE},
+    {"\x89PNG\r\n\x1A\n", 0, "a PNG file", PICTURE},
+    {"\xFF\xD8\xFF", 0, "a JPEG file", PICTURE},
+    {"WEBP", 8, "a WebP file", PICTURE},
+    {"GIF8", 0, "a GIF file", PICTURE},
+    {"BM", 0, "a BMP file", PICTURE},
+    {"DDS ", 0, "a DDS file", PICTURE},
+    {"8BPS", 0, "a Photoshop file", PICTURE},
+    {"II*", 0, "a TIFF file", PICTURE},
+    {"\x76\x2F\x31\x01", 0, "an OpenEXR file", PICTURE},
+    {"#?RADIANCE", 0, "a Radiance HDR file", PICTURE},
+};
 
 /* 80 bytes of anything, the number of triangles, 50 bytes for each of them. */
 static bool is_binary_stl(const uint8_t *data, size_t size) {
@@ -66,17 +64,28 @@ static bool is_binary_stl(const uint8_t *data, size_t size) {
     return 84 + 50 * count == size;
 }
 
-bool error_known_file(struct error *error, const void *data, size_t size, const char *wanted) {
+/* Without advice for a model where a picture was wanted, or the other way round. */
+static bool error_kind(struct error *error, const char *what, enum kind kind, bool model_wanted) {
+    const char *wanted = model_wanted ? "an OBJ or OFF file" : "a PNG or TGA file";
+    bool helps = kind != (model_wanted ? PICTURE : MODEL);
+    error_set(error, "%s, not %s%s%s", what, wanted, helps ? ": " : "", helps ? advices[kind] : "");
+    return true;
+}
+
+bool error_known_file(struct error *error, const void *data, size_t size, bool model_wanted) {
+    const uint8_t *start = data;
+    const size_t bom = size >= 3 && memcmp(start, "\xEF\xBB\xBF", 3) == 0 ? 3 : 0;
+    size_t blanks = bom;
+    while (blanks < size && strchr(" \t\r\n", start[blanks]) != NULL && start[blanks] != '\0') {
+        blanks++;
+    }
     for (size_t i = 0; i < sizeof known_files / sizeof known_files[0]; i++) {
         const struct known_file *known = &known_files[i];
-        if (begins_as(known, data, size)) {
-            error_set(error, "%s, not %s: %s", known->what, wanted, known->advice);
-            return true;
+        size_t at = blanks + known->at;
+        if (at < size &&
+            word_begins((struct word){(const char *)data + at, size - at}, known->begins)) {
+            return error_kind(error, known->what, known->kind, model_wanted);
         }
     }
-    if (is_binary_stl(data, size)) {
-        error_set(error, "a binary STL file, not %s: " EXPORT, wanted);
-        return true;
-    }
-    return false;
+    return is_binary_stl(data, size) && error_kind(error, "a binary STL file", MODEL, model_wanted);
 }

@@ -22,7 +22,8 @@ static bool is_named_off(const char *path) {
 }
 
 /* Say what a file without faces has instead. */
-static bool error_no_faces(const char *path, const void *data, size_t size, struct error *error) {
+static bool error_no_faces(const char *path, const void *data, size_t size, unsigned parts,
+                           struct error *error) {
     struct text text;
     struct error ignored;
     double number;
@@ -32,7 +33,7 @@ static bool error_no_faces(const char *path, const void *data, size_t size, stru
         if (first && word_to_double(word, &number)) {
             return error_set(error, "begins with a number, as neither OBJ nor OFF does");
         }
-        if (word_is(word, "l")) {
+        if (word_is(word, "l") && (parts & MODEL_LINES) == 0) {
             return text_error(error, text.line, "lines and no faces, which only lesson 2 draws");
         }
         first = first && word.length == 0;
@@ -40,7 +41,7 @@ static bool error_no_faces(const char *path, const void *data, size_t size, stru
     if (is_named_off(path) && !off_recognize(data, size)) {
         return error_set(error, "does not begin with the word OFF");
     }
-    return error_set(error, "holds no faces");
+    return error_set(error, size == 0 ? "is empty" : "holds no faces");
 }
 
 /* Bytes of a text that others write as UTF-16. False when memory runs out. */
@@ -63,11 +64,11 @@ static bool decode(struct model *model, const char *path, const void *data, size
     bool done = is_off ? off_decode(model, data, size, parts, error)
                        : obj_decode(model, data, size, parts, error);
     if (done && model->face_count == 0 && model->line_count == 0) {
-        done = error_no_faces(path, data, size, error);
+        done = error_no_faces(path, data, size, parts, error);
     }
     if (!done) {
         model_free(model);
-        (void)(!is_off && error_known_file(error, data, size, "an OBJ or OFF file"));
+        (void)(!is_off && error_known_file(error, data, size, true));
     }
     return done;
 }
@@ -104,18 +105,17 @@ static bool keep_path(struct model *model, const char *path, struct error *error
 /* Read a file of materials next to the model. False when memory runs out; sets whether it is
  * there. */
 static bool read_library(struct model *model, struct word name, bool *found, struct error *error) {
-    const char *slash = strrchr(model->path, '/');
-    int length = slash == NULL ? 0 : (int)(slash + 1 - model->path);
-    char *path = name.length > INT_MAX
-                     ? NULL
-                     : string_format("%.*s%.*s", length, model->path, (int)name.length, name.start);
-    char *directory = NULL;
+    const char *end = strrchr(model->path, '/');
+    char *directory =
+        string_format("%.*s", end == NULL ? 0 : (int)(end + 1 - model->path), model->path);
+    char *path = directory == NULL ? NULL : mtl_path(name, directory);
     struct bytes bytes = {0};
     struct error ignored;
-    bool done = path != NULL;
-    *found = done && name.length > 0 && file_exists(path) && file_read(path, &bytes, &ignored);
+    bool done = directory != NULL && (path != NULL || name.length == 0);
+    *found = path != NULL && file_exists(path) && file_read(path, &bytes, &ignored);
     if (*found) {
-        const char *end = strrchr(path, '/');
+        free(directory);
+        end = strrchr(path, '/');
         directory = string_format("%.*s", end == NULL ? 0 : (int)(end + 1 - path), path);
         model->bytes_read += bytes.size;
         done = directory != NULL && make_utf8(&bytes) &&
@@ -164,7 +164,7 @@ bool model_read_parts(struct model *model, const char *path, unsigned parts, str
     model->bytes_read = size;
     bytes_free(&bytes);
     done = done && keep_path(model, path, error);
-    if (done && ((parts & MODEL_UVS) == 0 || read_libraries(model, error))) {
+    if (done && ((parts & (MODEL_UVS | MODEL_MATERIALS)) == 0 || read_libraries(model, error))) {
         return true;
     }
     model_free(model);

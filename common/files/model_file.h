@@ -29,7 +29,8 @@ bool model_read(struct model *model, const char *path, struct error *error);
 enum model_part {
     MODEL_UVS = 1, /* and what materials say: everything that pictures on faces need */
     MODEL_NORMALS = 2,
-    MODEL_LINES = 4, /* a model may then consist of lines alone, with no face */
+    MODEL_MATERIALS = 8, /* what they say, of their colours */
+    MODEL_LINES = 4,     /* a model may then consist of lines alone, with no face */
     MODEL_ALL_PARTS = MODEL_UVS | MODEL_NORMALS /* of faces */
 };
 

@@ -42,19 +42,9 @@ bool reader_parse_index(struct word word, int64_t *index) {
 
 /* Words by which C libraries write what is no number. */
 static bool names_no_number(struct word word) {
-    static const char *const beginnings[] = {"nan", "inf", "1.#"};
     size_t sign = word.length > 0 && (word.start[0] == '-' || word.start[0] == '+');
-    for (size_t i = 0; i < 3; i++) {
-        size_t length = 0;
-        while (length < 3 && sign + length < word.length &&
-               (word.start[sign + length] | 32) == (beginnings[i][length] | 32)) {
-            length++;
-        }
-        if (length == 3) {
-            return true;
-        }
-    }
-    return false;
+    struct word rest = {word.start + sign, word.length - sign};
+    return word_begins(rest, "nan") || word_begins(rest, "inf") || word_begins(rest, "1.#");
 }
 
 /* A number that is no float. */

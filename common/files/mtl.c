@@ -4,7 +4,9 @@
 #include "base/file.h"
 #include "base/text.h"
 
+#include <ctype.h>
 #include <limits.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -17,16 +19,29 @@ static struct model_material *find_material(struct model *model, struct word nam
     return NULL;
 }
 
-/* "r g b", or one number for all three. Colours are cut to 0..1. */
-static void read_color(struct text *text, float color[3]) {
-    double number = 0;
+/* "r g b", or one number for all three, or levels where one is above 2. Colours are cut to 0..1.
+ * False where one was, and where there is none, as after "spectral": then the colour stays. */
+static bool read_color(struct text *text, float color[3]) {
+    double number[3], last = NAN, most = 0;
+    bool right = true;
     for (int i = 0; i < 3; i++) {
         double next;
-        if (text_next_number(text, &next).length > 0) {
-            number = next;
-        }
-        color[i] = number > 0 ? (number < 1 ? (float)number : 1) : 0; /* NaN is 0 */
+        last = text_next_number(text, &next).length > 0 ? next : last;
+        number[i] = last;
+        most = fmax(most, last);
+        right = right && last >= 0 && last <= 1;
     }
+    for (int i = 0; i < 3 && !isnan(number[0]); i++) {
+        double share = most > 2 ? number[i] / 255 : number[i];
+        color[i] = share > 0 ? (share < 1 ? (float)share : 1) : 0; /* NaN is 0 */
+    }
+    return right;
+}
+
+/* Programs write a Ka of 0, 0.2 or 1 with every material, and mean nothing by it. */
+static bool is_usual_ambient(const float color[3]) {
+    float grey = color[0];
+    return grey == color[1] && grey == color[2] && (grey == 0 || grey == 0.2F || grey == 1);
 }
 
 /* Up to three numbers. Only the first two count. */
@@ -76,29 +91,61 @@ static void read_options(struct text *text, struct model_material *material) {
     }
 }
 
-/* The path of a texture: next to the materials or, where it is not there (many files name
- * directories of their maker's machine), by its last part alone. The caller frees it. */
-static char *texture_path(struct word name, const char *directory) {
-    if (name.length == 0 || name.length > INT_MAX) {
-        return NULL;
+/* Is the file there, perhaps with its extension in small or in capital letters? Then the path has
+ * these. */
+static bool find_in_any_case(char *path) {
+    char *dot = strrchr(path, '.'), given[8];
+    if (file_exists(path) || dot == NULL || strlen(dot) >= sizeof given) {
+        return file_exists(path);
     }
-    char *path = string_format("%s%.*s", directory, (int)name.length, name.start);
+    strcpy(given, dot);
+    for (int letter = 0x20; letter >= 0; letter -= 0x20) {
+        for (size_t i = 1; given[i] != '\0'; i++) {
+            dot[i] =
+                isalpha((unsigned char)given[i]) ? (char)((given[i] & ~0x20) | letter) : given[i];
+        }
+        if (file_exists(path)) {
+            return true;
+        }
+    }
+    strcpy(dot, given);
+    return false;
+}
+
+char *mtl_path(struct word name, const char *directory) {
+    bool quoted = name.length > 1 && name.start[0] == '"' && name.start[name.length - 1] == '"';
+    int length = name.length > INT_MAX ? 0 : (int)name.length - (quoted ? 2 : 0);
+    char *path =
+        name.length == 0 ? NULL : string_format("%s%.*s", directory, length, name.start + quoted);
     for (char *p = path; p != NULL && *p != '\0'; p++) {
         if (*p == '\\') {
             *p = '/';
         }
     }
     const char *slash = path == NULL ? NULL : strrchr(path, '/');
-    if (slash == NULL || file_exists(path)) {
+    if (path == NULL || find_in_any_case(path) || slash == NULL) {
         return path;
     }
     char *next_to = string_format("%s%s", directory, slash + 1);
-    if (next_to == NULL || !file_exists(next_to)) {
+    if (next_to == NULL || !find_in_any_case(next_to)) {
         free(next_to);
         return path; /* as it is written, for messages */
     }
     free(path);
     return next_to;
+}
+
+/* The name before a comment, or before options where some write them. (Names may hold blanks.) */
+static struct word without_rest(struct word name) {
+    for (size_t i = 1; i + 1 < name.length; i++) {
+        const char *p = name.start + i;
+        if (p[-1] == ' ' && (*p == '#' || (*p == '-' && isalpha((unsigned char)p[1])))) {
+            for (name.length = i; name.length > 0 && name.start[name.length - 1] == ' ';) {
+                name.length--;
+            }
+        }
+    }
+    return name;
 }
 
 /* A map of the material: its options, and its path instead of the last one. */
@@ -107,17 +154,17 @@ static bool read_map(struct text *text, struct model_material *options, const ch
     read_options(text, options);
     struct word name = text_rest_of_line(text);
     free(*path);
-    *path = texture_path(name, directory);
+    *path = mtl_path(name, directory);
+    if (*path != NULL && !file_exists(*path)) {
+        free(*path);
+        *path = mtl_path(without_rest(name), directory);
+    }
     return name.length == 0 || *path != NULL;
 }
 
 /* Small and capital letters are the same, as in many files. */
 static bool is_keyword(struct word word, const char *name) {
-    size_t i = 0;
-    while (i < word.length && name[i] != '\0' && (word.start[i] | 32) == (name[i] | 32)) {
-        i++;
-    }
-    return i == word.length && name[i] == '\0';
+    return word.length == strlen(name) && word_begins(word, name);
 }
 
 /* False when memory runs out. */
@@ -129,8 +176,11 @@ static bool read_statement(struct text *text, struct word keyword, const char *d
     bool is_bump = is_keyword(keyword, "map_Bump") || is_keyword(keyword, "bump");
     if (is_keyword(keyword, "Kd")) {
         read_color(text, material->color);
+    } else if (is_keyword(keyword, "Ka")) {
+        material->has_ambient =
+            read_color(text, material->ambient) && !is_usual_ambient(material->ambient);
     } else if (is_keyword(keyword, "Ks")) {
-        float color[3];
+        float color[3] = {0};
         read_color(text, color);
         material->specular = (color[0] + color[1] + color[2]) / 3;
     } else if (is_keyword(keyword, "Ns")) {

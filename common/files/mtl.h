@@ -1,7 +1,7 @@
 /*
  * Files of materials that OBJ files name, for model_file.c (Wavefront Technologies, "Advanced
- * Visualizer Manual", appendix B2 "Materials"). What is read: newmtl, Kd, map_Kd with -clamp, -s
- * and -o, Ks, Ns, map_Ks or map_Ns, norm or else map_Bump or bump with -bm, and d where it is 0:
+ * Visualizer Manual", appendix B2 "Materials"). What is read: newmtl, Kd, Ka, map_Kd with -clamp,
+ * -s and -o, Ks, Ns, map_Ks or map_Ns, norm or else map_Bump or bump with -bm, and d where it is 0:
  * such faces are not drawn. What is transparent in part (d and Tr, which some write as 1 - d and
  * others as d, between 0 and 1, or map_d) is opaque, with a warning. All else is passed over, and
  * so is what cannot be read.
@@ -10,6 +10,7 @@
 #define COMMON_MTL_H
 
 #include "base/error.h"
+#include "base/text.h"
 #include "model.h"
 
 #include <stddef.h>
@@ -18,5 +19,10 @@
  * one that ends with '/') comes before the names of textures. False when memory runs out. */
 bool mtl_decode(struct model *model, const void *data, size_t size, const char *directory,
                 struct error *error);
+
+/* The path of a file that another one in `directory` names: next to that or, where it is not there
+ * (many files name directories of their maker's machine), by its last part alone. The caller frees
+ * it; NULL for an empty name, or when memory runs out. */
+char *mtl_path(struct word name, const char *directory);
 
 #endif

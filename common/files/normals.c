@@ -5,6 +5,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 /* ---- Angles ---- */
 
@@ -132,9 +133,36 @@ static void fill_with_grey(struct model *model) {
     }
 }
 
+static bool has_colorful_material(const struct model *model) {
+    for (size_t i = 0; i < model->material_count; i++) {
+        const float *color = model->materials[i].color;
+        if (color[0] != color[1] || color[1] != color[2]) {
+            return true;
+        }
+    }
+    return false;
+}
+
+static bool take_colors_of_materials(struct model *model, struct error *error) {
+    static const float white[3] = {1, 1, 1};
+    model->face_colors = malloc(model->face_count * sizeof *model->face_colors);
+    if (model->face_colors == NULL) {
+        return error_out_of_memory(error);
+    }
+    for (size_t i = 0; i < model->face_count; i++) {
+        uint32_t material = model->face_materials[i];
+        memcpy(model->face_colors[i],
+               material == MODEL_NONE ? white : model->materials[material].color, sizeof white);
+    }
+    return true;
+}
+
 bool model_need_colors(struct model *model, struct error *error) {
     if (model->face_colors != NULL || model->colors != NULL) {
         return true;
+    }
+    if (has_colorful_material(model)) {
+        return take_colors_of_materials(model, error);
     }
     if (!model_need_normals(model, error)) {
         return false;

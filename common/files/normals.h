@@ -19,9 +19,10 @@ double model_angle(struct vec3 a, struct vec3 b);
  * normals from polygonal facets", 1998), of length 1. Where all of them cancel, (0,0,1). */
 bool model_need_normals(struct model *model, struct error *error);
 
-/* Give a model that has colours neither of faces nor of positions the colour (normal + 1) / 2 at
- * each position. Where corners of several normals meet, the first face decides; a position without
- * a face becomes grey. Corners without a normal get one first. */
+/* Give a model that has colours neither of faces nor of positions those of its materials, where one
+ * of them is not grey, and otherwise the colour (normal + 1) / 2 at each position. Where corners of
+ * several normals meet, the first face decides; a position without a face becomes grey. Corners
+ * without a normal get one first. */
 bool model_need_colors(struct model *model, struct error *error);
 
 #endif

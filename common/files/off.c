@@ -33,16 +33,10 @@ struct off_kind {
     struct word rest;     /* what follows OFF in the same word: some writers leave out the blank */
 };
 
-/* The prefix in capitals or small letters. */
 static bool over_prefix(const char **p, const char *end, const char *prefix) {
-    const char *q = *p;
-    for (; *prefix != '\0'; prefix++, q++) {
-        if (q == end || (*q & ~32) != (*prefix & ~32)) {
-            return false;
-        }
-    }
-    *p = q;
-    return true;
+    bool begins = word_begins((struct word){*p, (size_t)(end - *p)}, prefix);
+    *p += begins ? strlen(prefix) : 0;
+    return begins;
 }
 
 static bool parse_keyword(struct word word, struct off_kind *kind) {
@@ -90,7 +84,7 @@ static bool is_binary(const void *data, size_t size) {
     struct off_kind kind;
     struct model_reader reader = {.error = &ignored};
     return peek_keyword(&reader, data, size, &kind) &&
-           word_is(text_next_word(&reader.text), "BINARY");
+           word_begins(text_next_word(&reader.text), "BINARY");
 }
 
 static bool read_count(struct model_reader *reader, struct word word, const char *what,

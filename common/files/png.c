@@ -241,9 +241,9 @@ static bool is_type(const struct chunk *chunk, const char *type) {
     return memcmp(chunk->type, type, 4) == 0;
 }
 
-/* A chunk that a picture cannot do without has a capital first letter; tRNS changes it, too. */
+/* A chunk that a picture cannot do without has a capital first letter. */
 static bool is_needed(const struct chunk *chunk) {
-    return (chunk->type[0] & 32) == 0 || is_type(chunk, "tRNS");
+    return (chunk->type[0] & 32) == 0;
 }
 
 /* Split off the next chunk; `position` moves behind it. */
@@ -267,12 +267,16 @@ static bool next_chunk(const uint8_t *data, size_t size, size_t *position, struc
         return error_set(error, "a PNG cut off: chunk %.4s claims %lu bytes, but %zu are left",
                          (const char *)chunk->type, (unsigned long)length, left - CHUNK_OVERHEAD);
     }
-    if (is_needed(chunk) &&
-        crc32(chunk->type, 4 + chunk->size) != get_u32(chunk->data + chunk->size)) {
+    *position += CHUNK_OVERHEAD + chunk->size;
+    if (crc32(chunk->type, 4 + chunk->size) == get_u32(chunk->data + chunk->size) ||
+        is_type(chunk, "IEND")) {
+        return true;
+    }
+    if (is_needed(chunk)) {
         return error_set(error, "a PNG with a wrong checksum in chunk %.4s",
                          (const char *)chunk->type);
     }
-    *position += CHUNK_OVERHEAD + chunk->size;
+    chunk->type = (const uint8_t *)"none"; /* so that it is passed over */
     return true;
 }
 

@@ -318,10 +318,15 @@ static bool parse_input(struct options *options, const struct program *program, 
     if (input[0] == '\0') {
         return error_set(error, "an empty name of a file; try --help");
     }
-    if (!takes_input || options->input != NULL) {
+    if (!takes_input || options->more_count == MODELS_LIMIT - 1 ||
+        (options->input != NULL && !program->takes_models)) {
         return error_set(error, "one argument too many: '%s'; try --help", input);
     }
-    options->input = input;
+    if (options->input == NULL) {
+        options->input = input;
+    } else {
+        options->more[options->more_count++] = input;
+    }
     return true;
 }
 
@@ -377,7 +382,7 @@ void options_print_help(const struct program *program, const char *directory,
                         : takes_model              ? " [model.obj | model.off]"
                                                    : "";
     printf("%s: %s\n\n", program->name, program->summary);
-    printf("usage: %s [options]%s\n\n", program->name, input);
+    printf("usage: %s [options]%s%s\n\n", program->name, input, program->takes_models ? "..." : "");
     for (size_t i = 0; i < OPTIONS_KNOWN; i++) {
         const struct option *option = &options_known[i];
         if (takes_option(program, option)) {

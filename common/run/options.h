@@ -36,7 +36,9 @@ struct pixel_option {
 };
 
 struct options {
-    const char *input;        /* model or text scene; NULL where none was named */
+    const char *input;                  /* model or text scene; NULL where none was named */
+    const char *more[MODELS_LIMIT - 1]; /* models behind it */
+    size_t more_count;
     const char *directory;    /* NULL for the default */
     const struct scene *only; /* NULL for all scenes */
     struct size_option size;

@@ -195,32 +195,44 @@ static bool give_normal_map(struct parts *parts, struct drawing_part *part,
     return true;
 }
 
+/* What a part shows of a colour of its material: its picture in this colour or, where it has none
+ * that can be read, the colour alone. */
+static bool give_colors(struct parts *parts, const struct drawing_part *part,
+                        const struct model_material *material, const float color[3],
+                        struct texture *texture, struct error *why) {
+    if (material != NULL && material->texture != NULL && part->model.uv_count > 0) {
+        float tint[3];
+        find_tint(color, tint);
+        if (!find_picture(parts, material->texture, tint, NULL, texture, why)) {
+            return false;
+        }
+        texture_set_clamp(texture, material->clamp);
+    }
+    return texture->level_count > 0 || find_color(parts, color, texture);
+}
+
 /* The textures of a part; none where its corners have no places in them. */
 static bool give_textures(struct parts *parts, struct drawing_part *part,
                           const struct model_material *material, struct error *missing) {
     struct error why = {0}, ignored;
     bool has_places = part->model.uv_count > 0;
-    if (material != NULL && material->texture != NULL && has_places) {
-        float tint[3];
-        find_tint(material->color, tint);
-        if (!find_picture(parts, material->texture, tint, NULL, &part->diffuse, &why)) {
-            return false;
-        }
-        texture_set_clamp(&part->diffuse, material->clamp);
-        if (why.message[0] != '\0' && missing->message[0] == '\0') {
-            error_set(missing, "%s; the material's colour instead (--texture)", why.message);
-        }
+    if (!give_colors(parts, part, material, material != NULL ? material->color : white,
+                     &part->diffuse, &why)) {
+        return false;
+    }
+    if (why.message[0] != '\0' && missing->message[0] == '\0') {
+        error_set(missing, "%s; the material's colour instead (--texture)", why.message);
+    }
+    if (material != NULL && material->has_ambient &&
+        !give_colors(parts, part, material, material->ambient, &part->ambient, &ignored)) {
+        return false;
     }
     if (material != NULL && material->shine != NULL && has_places &&
         !find_picture(parts, material->shine, white, NULL, &part->specular, &ignored)) {
         return false;
     }
-    if (material != NULL && material->bumps != NULL && has_places && parts->with_normal_maps &&
-        !give_normal_map(parts, part, material)) {
-        return false;
-    }
-    return part->diffuse.level_count > 0 ||
-           find_color(parts, material != NULL ? material->color : white, &part->diffuse);
+    return material == NULL || material->bumps == NULL || !has_places || !parts->with_normal_maps ||
+           give_normal_map(parts, part, material);
 }
 
 /* ---- Parts ---- */
@@ -288,6 +300,9 @@ bool parts_make(struct parts *parts, struct model *model, struct error *missing,
     }
     for (size_t slot = 0; done && slot < slots; slot++) {
         done = add_part(parts, model, begins, slot, missing);
+    }
+    if (done && parts->count == 0) { /* all are hidden */
+        done = find_color(parts, white, &parts->part[0].diffuse);
     }
     if (done) {
         parts->part[parts->count] = parts->part[0];

@@ -21,7 +21,7 @@
 enum need {
     NEEDS_MODEL = 1,
     NEEDS_NORMALS = 2, /* at every corner: computed where the file has none */
-    NEEDS_COLORS = 4,  /* at every position: made from the normals where the file has none */
+    NEEDS_COLORS = 4,  /* at every position: its materials' or made of normals where it has none */
     NEEDS_DIFFUSE = 8, /* textures next to the model; what is missing is replaced */
     NEEDS_NORMAL_MAP = 16,
     NEEDS_SPECULAR = 32,
@@ -42,7 +42,8 @@ struct scene_value {
 enum {
     COUNTER_LIMIT = 32, /* different names that one scene counts */
     VALUE_LIMIT = 16,   /* numbers in a scene's list */
-    NOTES_LIMIT = 1024  /* bytes of notes about a pixel */
+    NOTES_LIMIT = 1024, /* bytes of notes about a pixel */
+    MODELS_LIMIT = 4    /* of one command line */
 };
 
 struct counter {
@@ -53,18 +54,21 @@ struct counter {
 /* The faces of one material. */
 struct drawing_part {
     struct model model; /* these faces alone; it shares the rest with the whole */
-    struct texture diffuse, normal_map,
-        specular;                  /* shared; empty where there is none, but diffuse */
+    struct texture diffuse, normal_map, specular,
+        ambient;                   /* shared; empty where there is none, but diffuse */
     double specular_weight, power; /* of the material; negative or 0: unknown */
     double repeats;                /* pictures side by side across the model: parts_repeats() */
 };
 
 /* What a draw function works with. It reads all of it and may change `depth` and `state`. */
 struct drawing {
-    const struct model *model;        /* NULL where the scene needs none, as everything below */
+    const struct model *model; /* NULL where the scene needs none, as everything below */
+    const struct model *models[MODELS_LIMIT]; /* of a program that takes_models: this one first */
+    size_t model_count;
     const struct texture *diffuse;    /* one white texel where there is none */
     const struct texture *normal_map; /* NULL where there is none: draw by the mesh's normals */
     const struct texture *specular;   /* one texel where there is none */
+    const struct texture *ambient;    /* a part's colours in ambient light; NULL: as in diffuse */
     const struct drawing_part *parts; /* of a model with materials: see drawing_take_part() */
     size_t part_count;
     const struct texture *whole_normal_map, *whole_specular; /* of parts that have none */
@@ -130,6 +134,7 @@ struct program {
     const char *summary;   /* one line for --help */
     bool takes_light;      /* --light */
     bool takes_camera;     /* --eye --center --up */
+    bool takes_models;     /* up to MODELS_LIMIT of them; textures are those of the first */
     struct scene defaults; /* what the scenes leave at zero */
     const struct scene *scenes;
     size_t scene_count;

@@ -62,6 +62,7 @@ bool drawing_take_part(struct drawing *drawing, size_t i) {
     drawing->normal_map =
         part->normal_map.level_count > 0 ? &part->normal_map : drawing->whole_normal_map;
     drawing->specular = part->specular.level_count > 0 ? &part->specular : drawing->whole_specular;
+    drawing->ambient = part->ambient.level_count > 0 ? &part->ambient : NULL;
     drawing->specular_weight = part->specular_weight;
     drawing->power = part->power;
     drawing->repeats = part->repeats;
@@ -143,9 +144,16 @@ struct loaded run_loaded(const struct run *run) {
     return loaded;
 }
 
+static void free_models(struct run *run) {
+    model_free(&run->model);
+    for (size_t i = 0; i < MODELS_LIMIT - 1; i++) {
+        model_free(&run->others[i]);
+    }
+}
+
 static void unload_model(struct run *run) {
     run->unloaded = run_loaded(run);
-    model_free(&run->model);
+    free_models(run);
     run->model_file = NULL;
     run->is_noted = false;
     parts_free(&run->parts);
@@ -160,20 +168,22 @@ static unsigned needed_parts(unsigned needs) {
     unsigned textures = NEEDS_DIFFUSE | NEEDS_NORMAL_MAP | NEEDS_SPECULAR;
     return ((needs & normals) != 0 ? MODEL_NORMALS : 0) |
            ((needs & textures) != 0 ? MODEL_UVS : 0) |
+           ((needs & NEEDS_COLORS) != 0 ? MODEL_MATERIALS : 0) |
            ((needs & NEEDS_LINES) != 0 ? MODEL_LINES : 0);
 }
 
 /* Turn it, show its faces from both sides, fit it into view, as the options say. */
-static bool place_model(struct run *run, bool need_normals, struct error *error) {
+static bool place_model(const struct run *run, struct model *model, bool need_normals,
+                        struct error *error) {
     const int *turns = run->options->turns;
     if (turns[0] != 0 || turns[1] != 0 || turns[2] != 0) {
-        model_turn(&run->model, turns);
+        model_turn(model, turns);
     }
-    if (run->options->two_sided && !model_add_other_sides(&run->model, need_normals, error)) {
+    if (run->options->two_sided && !model_add_other_sides(model, need_normals, error)) {
         return false;
     }
     if (run->options->fit) {
-        model_fit(&run->model, run->program->takes_camera);
+        model_fit(model, run->program->takes_camera);
     }
     return true;
 }
@@ -206,7 +216,12 @@ static bool load_model(struct run *run, const struct scene *scene, struct error 
                          run->options->textures[MODEL_DIFFUSE] == NULL &&
                          model_has_materials(&run->model);
     done = done && (!run->has_materials || parts_move_coordinates(&run->model, error));
-    done = done && place_model(run, (parts & MODEL_NORMALS) != 0, error);
+    bool need_normals = (parts & MODEL_NORMALS) != 0;
+    done = done && place_model(run, &run->model, need_normals, error);
+    for (size_t i = 0; done && i < run->options->more_count; i++) {
+        done = model_read_parts(&run->others[i], run->options->more[i], parts, error) &&
+               place_model(run, &run->others[i], need_normals, error);
+    }
     run->model_file = done ? file : NULL;
     return done;
 }
@@ -366,7 +381,14 @@ static bool load_needs(struct run *run, const struct scene *scene, struct drawin
     if (!load_model(run, scene, error)) {
         return false;
     }
-    drawing->model = &run->model;
+    drawing->model = drawing->models[0] = &run->model;
+    drawing->model_count = 1 + run->options->more_count;
+    for (size_t i = 0; i < run->options->more_count; i++) {
+        drawing->models[i + 1] = &run->others[i];
+        if ((needs & NEEDS_NORMALS) != 0 && !model_need_normals(&run->others[i], error)) {
+            return false;
+        }
+    }
     return ((needs & NEEDS_NORMALS) == 0 || model_need_normals(&run->model, error)) &&
            ((needs & NEEDS_COLORS) == 0 || model_need_colors(&run->model, error)) &&
            load_texture(run, needs, MODEL_DIFFUSE, &drawing->diffuse, error) &&
@@ -441,7 +463,7 @@ void stage_end(struct stage *stage) {
 }
 
 void run_free(struct run *run) {
-    model_free(&run->model);
+    free_models(run);
     parts_free(&run->parts);
     texture_free(&run->white);
     texture_free(&run->shiny);

@@ -24,12 +24,13 @@ struct run {
     const struct text_scene *text; /* NULL unless it is a text scene */
     unsigned needs; /* of all scenes that will be drawn, so that a model is read once; 0: unknown */
 
-    struct model model;          /* loaded when the first scene needs it */
-    const char *model_file;      /* which file it is; NULL while none is loaded */
-    unsigned model_parts;        /* what of it is loaded, of enum model_part */
-    struct loaded unloaded;      /* of models that made room for others */
-    bool has_materials;          /* the model has, and is drawn by them, part for part */
-    struct parts parts;          /* as the last scene had them */
+    struct model model;                    /* loaded when the first scene needs it */
+    struct model others[MODELS_LIMIT - 1]; /* with it */
+    const char *model_file;                /* which file it is; NULL while none is loaded */
+    unsigned model_parts;                  /* what of it is loaded, of enum model_part */
+    struct loaded unloaded;                /* of models that made room for others */
+    bool has_materials;                    /* the model has, and is drawn by them, part for part */
+    struct parts parts;                    /* as the last scene had them */
     struct texture white, shiny; /* of one texel, for a model without textures; empty at first */
     /* Textures that the model has not, or that cannot be read: why, and what is drawn instead. The
      * message is empty once it is said. */

@@ -4,17 +4,7 @@
  *     make NAME                          draws the course's head
  *     make NAME MODEL='a.obj b.off'      draws other models, side by side
  */
-#include "base/file.h"
-#include "files/fit.h"
-#include "files/model_file.h"
-#include "files/normals.h"
-#include "files/png.h"
-#include "pipeline.h"
-
-#include <stdio.h>
-
-#define OUTPUT COURSE_BUILD "/out/NAME"
-enum { SIZE = 400, FRAMES = 36, DELAY_MS = 80, MODEL_LIMIT = 4 };
+#include "pipeline_program.h"
 
 /* What the shader reads. */
 struct uniforms {
@@ -45,54 +35,36 @@ static lanes_mask fragment(const void *uniforms, const lanes *varyings, lanes_te
 
 SHADER(gooch, .varying_count = 3, .vertex = vertex, .fragment = fragment);
 
-/* Record a model for the frame: number `index` of `count` in a row, after so many whole turns. */
-static bool draw(struct pipeline *pipeline, const struct model *model, int index, int count,
-                 double turns, struct error *error) {
-    const struct vec3 eye = {0, 1, 4}, center = {0, 0, 0}, up = {0, 1, 0}, light = {-2, 1, 1};
-    const struct vec3 right = {2 * index - (count - 1), 0, 0}, narrow = {1.0 / count, 1, 1};
-    struct rectangle whole = {0, 0, SIZE * count, SIZE};
-    struct uniforms u = {
-        .model = model,
-        .place = mat4_mul(mat4_translation(right), mat4_rotation(up, turns)),
-        .to_light = vec3_normalized(light),
-    };
-    struct draw_call call = camera_call(model, eye, center, up, 0.9, whole, CULL_BACK);
-    call.to_clip = mat4_mul(mat4_scaling(narrow), mat4_mul(call.to_clip, u.place));
-    return pipeline_draw(pipeline, &call, &gooch, &u, sizeof u, error);
+/* A frame: the models in a row, each turned by as much as all frames before have turned it. */
+static bool draw(struct drawing *drawing, struct image *image, struct error *error) {
+    struct pipeline *pipeline = pipeline_begin(drawing);
+    struct rectangle whole = {0, 0, (int)image->width, (int)image->height};
+    const double count = (double)drawing->model_count, turns = (double)drawing->frame / 36;
+    bool done = true;
+    for (size_t i = 0; done && i < drawing->model_count; i++) {
+        struct draw_call call = pipeline_call(drawing, whole, 0.9 / count, CULL_BACK);
+        struct mat4 right = mat4_translation((struct vec3){2 * (double)i - (count - 1), 0, 0});
+        struct uniforms u = {drawing->models[i], mat4_mul(right, mat4_rotation(drawing->up, turns)),
+                             vec3_normalized(drawing->light)};
+        call.model = u.model;
+        call.to_clip = mat4_mul(call.to_clip, u.place);
+        done = pipeline_draw(pipeline, &call, &gooch, &u, sizeof u, error);
+    }
+    return pipeline_end(drawing, done, image, error);
 }
 
 int main(int argc, char **argv) {
-    static char *head[] = {COURSE_BUILD "/models/bust.obj"};
-    static struct model models[MODEL_LIMIT];
-    static struct image frames[FRAMES];
-    char **paths = argc > 1 ? argv + 1 : head;
-    int count = argc > 1 ? argc - 1 : 1;
-    struct pipeline pipeline = {0};
-    struct error error;
-    bool done = count <= MODEL_LIMIT || error_set(&error, "at most %d models", MODEL_LIMIT);
-    for (int i = 0; done && i < count; i++) {
-        done = model_read(&models[i], paths[i], &error) && model_need_normals(&models[i], &error);
-        model_fit(&models[i], true);
-    }
-    done = done && pipeline_create(&pipeline, (size_t)(SIZE * count), SIZE, &error);
-    for (int frame = 0; done && frame < FRAMES; frame++) {
-        pipeline_clear(&pipeline);
-        for (int i = 0; done && i < count; i++) {
-            done = draw(&pipeline, &models[i], i, count, (double)frame / FRAMES, &error);
-        }
-        done = done &&
-               image_create(&frames[frame], pipeline.width, pipeline.height, IMAGE_BGR, &error) &&
-               pipeline_finish(&pipeline, &frames[frame], &error);
-    }
-    done = done && directory_create(OUTPUT, &error) &&
-           apng_write(frames, FRAMES, DELAY_MS, OUTPUT "/turn.png", &error);
-    fprintf(done ? stdout : stderr, "%s\n", done ? OUTPUT "/turn.png" : error.message);
-    for (int i = 0; i < FRAMES; i++) {
-        image_free(&frames[i]);
-    }
-    for (int i = 0; i < MODEL_LIMIT; i++) {
-        model_free(&models[i]);
-    }
-    pipeline_free(&pipeline);
-    return done ? 0 : 1;
+    static const struct scene turn = {
+        .name = "turn", .needs = NEEDS_MODEL | NEEDS_NORMALS, .frames = 36, .draw = draw};
+    static const struct program program = {
+        PIPELINE_PROGRAM,
+        .name = "NAME",
+        .summary = "models turn under a light",
+        .takes_models = true,
+        .defaults =
+            {.width = 400, .height = 400, .eye = {0, 1, 4}, .up = {0, 1, 0}, .light = {-2, 1, 1}},
+        .scenes = &turn,
+        .scene_count = 1,
+    };
+    return program_main(&program, argc, argv);
 }

@@ -55,7 +55,7 @@ OWN := $(patsubst %/.new,%,$(wildcard */.new))
 .PHONY: $(OWN)
 $(OWN): %: $(BUILD)/own/% $(BUILD)/models/bust.obj
 	$(SAY) DRAW $@
-	$(Q)$< $(MODEL)
+	$(Q)$< --fit --format png $(MODEL)
 
 $(OWN:%=$(BUILD)/own/%): $(BUILD)/own/%: %/main.c $(BUILD)/libcommon.a $(BUILD)/flags
 	@mkdir -p $(@D)

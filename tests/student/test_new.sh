@@ -111,14 +111,14 @@ looks 400x400 'middle > 100'
 cp build/out/mine/turn.png one.png
 # (The knot has no normals. Where the sphere looks towards the light, it is brightest.)
 hand_out 0 mine MODEL='build/models/knot.off build/models/sphere.obj'
-looks 800x400 'middle == 0 && largest == 255'
+looks 400x400 'middle == 0 && largest == 255'
 hand_out 0 mine
 cmp one.png build/out/mine/turn.png || wrong "the same command draws another picture"
 hand_out 1 mine MODEL=nowhere.obj
 says 'nowhere.obj: No such file'
 cmp one.png build/out/mine/turn.png || wrong "a model that is not there changes the picture"
-hand_out 1 mine MODEL='a b c d e'
-says 'at most 4 models'
+hand_out 2 mine MODEL='a b c d e'
+says "one argument too many: 'e'"
 
 # A change is built, and what the compiler says is shown.
 echo 'int' >>mine/main.c

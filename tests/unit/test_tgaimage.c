@@ -295,8 +295,6 @@ static void test_lying_tga(void) {
         {"map cut off", "before its pixels", "\0\1\2\0\0\377\377\40\0\0\0\0\1\0\1\0\30\0\1\2\3",
          21},
         {"id cut off", "before its pixels", "\11\0\3\0\0\0\0\0\0\0\0\0\1\0\1\0\10\0\11", 19},
-        {"index below the map", "has 5 to 5", "\0\1\1\5\0\1\0\30\0\0\0\0\1\0\1\0\10\0\1\2\3\4", 22},
-        {"index above the map", "has 5 to 5", "\0\1\1\5\0\1\0\30\0\0\0\0\1\0\1\0\10\0\1\2\3\6", 22},
         {"run past the last pixel", "packet of 3 pixels, but only 2",
          "\0\0\13\0\0\0\0\0\0\0\0\0\2\0\1\0\10\0\202\7", 20},
         {"raw packet past the last pixel", "packet of 3 pixels, but only 2",
@@ -316,6 +314,28 @@ static void test_lying_tga(void) {
             rows[i].name);
         CHECK_ROW(image.width == 0 && image.pixels == NULL, rows[i].name);
         CHECK_ROW(strstr(error.message, rows[i].message) != NULL, error.message);
+    }
+}
+
+/* Colours below and above those of the map, which begins with 5, are black and opaque. */
+static void test_colors_without_map(void) {
+    static const uint8_t head[] = {0, 1, 1, 5, 0, 1, 0, 0, 0, 0, 0, 0, 3, 0, 1, 0, 8, 0};
+    for (size_t depth = 24; depth <= 32; depth += 8) {
+        uint8_t file[18 + 4 + 3] = {0}, *map = file + 18;
+        struct image image;
+        struct error error;
+        memcpy(file, head, sizeof head);
+        file[7] = (uint8_t)depth;
+        memcpy(map, "\1\2\3\4", depth / 8);
+        memcpy(map + depth / 8, "\4\5\6", 3);
+        if (CHECK(decode_exact(tga_decode, &image, file, 18 + depth / 8 + 3, &error))) {
+            const struct color black = {.a = 255};
+            const struct color known = {1, 2, 3, depth == 32 ? 4 : 255};
+            CHECK(same_color(image_get(&image, 0, 0), black));
+            CHECK(same_color(image_get(&image, 1, 0), known));
+            CHECK(same_color(image_get(&image, 2, 0), black));
+        }
+        image_free(&image);
     }
 }
 
@@ -385,5 +405,5 @@ static void test_tga_packs(void) {
 }
 
 UNIT_MAIN(TEST(test_create), TEST(test_get_and_set), TEST(test_every_kind_of_tga),
-          TEST(test_cut_off_tga), TEST(test_lying_tga), TEST(test_tga_round_trip),
-          TEST(test_tga_packs))
+          TEST(test_cut_off_tga), TEST(test_lying_tga), TEST(test_colors_without_map),
+          TEST(test_tga_round_trip), TEST(test_tga_packs))

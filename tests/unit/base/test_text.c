@@ -315,6 +315,8 @@ static void test_utf16(void) {
         {{0x7F, 0x80, 0x7FF, 0x800}, "\x7F\xC2\x80\xDF\xBF\xE0\xA0\x80"},
         {{0xE000, 0xFFFD, 0xD83D, 0xDE00}, "\xEE\x80\x80\xEF\xBF\xBD\xED\xA0\xBD\xED\xB8\x80"},
     };
+    CHECK(!text_is_utf16("v 1", 4) && !text_is_utf16("\0v\0", 3) && !text_is_utf16("\0v\0\0", 4));
+    CHECK(!text_is_utf16("v\0\0\0", 4) && !text_is_utf16("\0\0\0\0", 4));
     CHECK(!text_is_utf16("\xFF", 1) && !text_is_utf16("\xFF\xFF", 2) && !text_is_utf16(NULL, 0));
     for (size_t i = 0; i < sizeof rows / sizeof rows[0] * 4; i++) {
         const unsigned high = i & 1, odd = i >> 1 & 1; /* the first byte is the larger part */
@@ -331,6 +333,12 @@ static void test_utf16(void) {
         CHECK(text_is_utf16(exact, utf16.size) && text_from_utf16(&utf8, exact, utf16.size));
         CHECK(bytes_append(&utf8, "", 1));
         CHECK_TEXT((const char *)utf8.data, rows[i / 4].utf8);
+        if (i / 4 == 0) { /* letters alone, without the mark before them */
+            bytes_free(&utf8);
+            utf8 = (struct bytes){0};
+            CHECK(text_is_utf16(exact + 2, 8) && text_from_utf16(&utf8, exact + 2, 8));
+            CHECK(utf8.size == 4 && memcmp(utf8.data, "v 1\n", 4) == 0);
+        }
         free(exact);
         bytes_free(&utf8);
         bytes_free(&utf16);

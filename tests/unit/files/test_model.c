@@ -340,7 +340,7 @@ static void test_messages(void) {
     static const struct {
         const char *text, *message;
     } rows[] = {
-        {"", "holds no faces"},
+        {"", "is empty"},
         {SQUARE, "holds no faces"},
         {"just some words\nand more of them", "holds no faces"},
         {SQUARE "\nf 1 2 0\n", "6: face names vertex 0: the first is 1"},
@@ -452,7 +452,9 @@ static void test_binary_messages(void) {
     } rows[] = {
         {"v 1 2 3\nf\0", 10, "2: not a text file: it holds a zero byte"},
         {"OFF\n\0", 5, "2: not a text file: it holds a zero byte"},
-        {NULL, 0, "holds no faces"},
+        {NULL, 0, "is empty"},
+        {"COFF binary\n\0\0\0\3", 16, "1: a binary OFF file: only text can be read"},
+        {"\x89PNG\r\n\x1a\n", 8, "a PNG file, not an OBJ or OFF file"}, /* nothing would help */
         {"OFF BINARY\n\0\0\0\3", 15, "1: a binary OFF file: only text can be read"},
         {stl, sizeof stl, "a binary STL file, not an OBJ or OFF file" EXPORT},
         {no_stl, sizeof no_stl, "1: not a text file: it holds a zero byte"},
@@ -507,7 +509,7 @@ static void test_lines(void) {
 static void test_refused_files(void) {
     static const char *const rows[][3] = {
         {"a.obj", SQUARE "f 1 2 99\n", ":5: face names vertex 99 of 4"},
-        {"a.obj", "", ": holds no faces"},
+        {"a.obj", "", ": is empty"},
         {"a.off", "OFFF\n1 1 0\n0 0 0\n3 0 0 0\n", ": does not begin with the word OFF"},
         {"a.off", "hello\n", ": does not begin with the word OFF"},
         {"a.off", "", ": does not begin with the word OFF"},

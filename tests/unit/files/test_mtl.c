@@ -79,8 +79,24 @@ static void test_statements(void) {
         {"newmtl b\nKd 1 1 1\nnewmtl a \n\tKd 0.5\n", "0.5 0.5 0.5 none none", PLAIN},
         {"newmtl a\nKd 2 -1 nan\n", "1 0 0 none none", PLAIN},
         {"newmtl a\nKd 0 0 0\nnewmtl a\nKd 0 1 0\n", "0 1 0 none none", PLAIN},
+        {"newmtl a\nKd 255 102 0\nKd spectral x.rfl\nKd\n", "1 0.4 0 none none", PLAIN},
+        /* Of ambient light, unless it is what programs write with every material. */
+        {"newmtl a\nKa 1 0.5 0\n", "1 1 1 none none Ka 1 0.5 0", PLAIN},
+        {"newmtl a\nka 0.5\nKd 0 1 0\n", "0 1 0 none none Ka 0.5 0.5 0.5", PLAIN},
+        {"newmtl a\nKa 0.2 0.2 0.25\n", "1 1 1 none none Ka 0.2 0.2 0.25", PLAIN},
+        {"newmtl a\nKa 1 0 0\nKa 0 0 0\n", "1 1 1 none none", PLAIN},
+        {"newmtl a\nKa 0.200000 0.200000 0.200000\n", "1 1 1 none none", PLAIN},
+        {"newmtl a\nKa 1.0\n", "1 1 1 none none", PLAIN},
+        {"newmtl a\nKa 20 20 20\n", "1 1 1 none none", PLAIN},
+        {"newmtl a\nKa 0.5 0.5 -0.5\n", "1 1 1 none none", PLAIN},
+        {"newmtl a\nKa 0.5 0.5 1.5\n", "1 1 1 none none", PLAIN},
+        {"newmtl a\nKa spectral x.rfl\nKa 0.5 nan 0.5\nKa\n", "1 1 1 none none", PLAIN},
         {"newmtl a\nmap_Kd wood.png\n", "1 1 1 d/wood.png none", PLAIN},
         {"newmtl a\nmap_Kd  old oak.png \r\n", "1 1 1 d/old oak.png none", PLAIN},
+        {"newmtl a\nmap_Kd \"old oak.png\"\n", "1 1 1 d/old oak.png none", PLAIN},
+        {"newmtl a\nmap_Kd oak.png  # of the table\n", "1 1 1 d/oak.png none", PLAIN},
+        {"newmtl a\nmap_Kd old - oak.png -clamp on # x\n", "1 1 1 d/old - oak.png none", PLAIN},
+        {"newmtl a\nmap_Kd # none\nbump \"\"\n", "1 1 1 none d/", PLAIN},
         {"newmtl a\nmap_Kd C:\\maps\\oak.png\n", "1 1 1 d/C:/maps/oak.png none", PLAIN},
         {"newmtl a\nmap_Kd -mm 0 1 -bm 0.5 -t 1 2 2.png\n", "1 1 1 d/2.png none", PLAIN},
         {"newmtl a\nmap_Kd x.png\nmap_Kd y.png\n", "1 1 1 d/y.png none", PLAIN},
@@ -128,6 +144,11 @@ static void test_statements(void) {
         snprintf(look, sizeof look, "%g %g %g %s %s%s%s", (double)a->color[0], (double)a->color[1],
                  (double)a->color[2], name_or_none(a->texture), name_or_none(a->bumps),
                  a->is_norm ? " norm" : "", a->known ? "" : " unknown");
+        if (a->has_ambient) {
+            size_t length = strlen(look);
+            snprintf(look + length, sizeof look - length, " Ka %g %g %g", (double)a->ambient[0],
+                     (double)a->ambient[1], (double)a->ambient[2]);
+        }
         snprintf(numbers, sizeof numbers, "%g %g %s %s %s %g %g %g %g %g", (double)a->specular,
                  (double)a->power,
                  a->hidden   ? "d"
@@ -159,10 +180,10 @@ static void test_files(void) {
     struct error error = {0};
     strcpy(path, name_file(&place, "m.obj"));
     CHECK(put_text(path,
-                   "mtllib no.mtl m.mtl\nmtllib two names.mtl\n" TEXTURED
+                   "mtllib no.mtl m.MTL\nmtllib two names.mtl\n" TEXTURED
                    "usemtl red\nf 1/1 2/1 3/1\nusemtl blue\nf 1 2 4\nusemtl none\nf 1 2 3\n"));
     CHECK(put_text(name_file(&place, "m.mtl"), "newmtl blue\nKd 0 0 0.6\n"));
-    CHECK(put_text(name_file(&place, "two names.mtl"), "newmtl red\nmap_Kd maps/red.png\n"));
+    CHECK(put_text(name_file(&place, "two names.mtl"), "newmtl red\nmap_Kd C:\\maps\\red.PNG\n"));
     put_picture(&place, "red.png", color_rgb(200, 10, 20));
     put_picture(&place, "m_diffuse.png", color_rgb(1, 2, 3));
     if (CHECK_ROW(model_read(&m, path, &error), error.message)) {

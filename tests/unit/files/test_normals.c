@@ -195,6 +195,25 @@ static void test_colors_from_normals(void) {
     model_free(&m);
 }
 
+/* Faces have the colours of their materials, or white where one of them has a colour. */
+static void test_colors_of_materials(void) {
+    struct model m;
+    struct error error;
+    for (int grey = 0; grey < 2; grey++) {
+        if (!decode_right(&m, SQUARE "f 1 2 3\nusemtl a\nf 1 2 4\nusemtl b\nf 2 3 4\n")) {
+            return;
+        }
+        m.materials[0].color[0] = m.materials[0].color[1] = m.materials[0].color[2] = 0.25F;
+        m.materials[1].color[2] = grey ? 1 : 0.5F;
+        CHECK(model_need_colors(&m, &error) && (m.face_colors == NULL) == grey);
+        struct vec3 white = model_color(&m, 0, 2), a = model_color(&m, 1, 0);
+        struct vec3 b = model_color(&m, 2, 1);
+        CHECK(grey || (white.y == 1 && a.x == 0.25 && b.x == 1 && b.z == 0.5));
+        CHECK(!grey || same3(m.colors[0], 0.5F, 0.5F, 1)); /* of the normal */
+        model_free(&m);
+    }
+}
+
 /* Colours that the file gives stay, and no normals are made for them. */
 static void test_given_colors(void) {
     static const char *const texts[] = {
@@ -215,4 +234,4 @@ static void test_given_colors(void) {
 
 UNIT_MAIN(TEST(test_angles), TEST(test_normals), TEST(test_no_normal), TEST(test_back_to_back),
           TEST(test_computed_normals), TEST(test_narrow_corner), TEST(test_colors_from_normals),
-          TEST(test_given_colors))
+          TEST(test_colors_of_materials), TEST(test_given_colors))

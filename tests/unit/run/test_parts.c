@@ -17,8 +17,14 @@ static void describe(const struct parts *parts, size_t i, char *text, size_t siz
         snprintf(text + length, size - length, "%u", part->model.faces[face].corner[0].position);
         length = strlen(text);
     }
-    snprintf(text + length, size - length, " %06X%s;", part->diffuse.level[0].texels[0] & 0xFFFFFF,
+    snprintf(text + length, size - length, " %06X%s", part->diffuse.level[0].texels[0] & 0xFFFFFF,
              part->diffuse.clamp ? " c" : "");
+    length = strlen(text);
+    if (part->ambient.level_count > 0) {
+        snprintf(text + length, size - length, " Ka %06X%s",
+                 part->ambient.level[0].texels[0] & 0xFFFFFF, part->ambient.clamp ? " c" : "");
+    }
+    strcat(text, ";");
 }
 
 /* Read a model of these faces and materials; CHECK what its parts are. */
@@ -59,6 +65,11 @@ static void test_parts(void) {
          "newmtl a\nKd 0 0 0\nmap_Kd red.png\nnewmtl b\nKd 0.5 1 0.25\nmap_Kd red.png\n"
          "newmtl c\nKd 0.8 0.8 0.8\nmap_Kd red.png\n",
          "0 C80A14;1 640A05;2 C80A14;", ""},
+        /* A colour of ambient light likewise, and alone where there is no picture. */
+        {"usemtl a\nf 1 2 3\nusemtl b\nf 2 3 4\nusemtl c\nf 3 4 1\n",
+         "newmtl a\nKd 0 0 1\nKa 1 0 0\nnewmtl b\nKa 0.5 1 0.25\nmap_Kd -clamp on red.png\n"
+         "newmtl c\nKd 0 1 0\nKa 0 0.6 0.6\nmap_Kd no.png\n",
+         "0 0000FF Ka FF0000;1 C80A14 c Ka 640A05 c;2 00FF00 Ka 009999;", "no.png: No such file"},
     };
     struct place place = place_create();
     put_picture(&place, "red.png", color_rgb(200, 10, 20));
@@ -72,6 +83,7 @@ static void test_parts(void) {
                 describe(&parts, k, text, sizeof text);
             }
             CHECK_TEXT(text, rows[i].parts);
+            CHECK(parts.part[parts.count].diffuse.level_count > 0); /* also where all are hidden */
             CHECK(parts.part[parts.count].model.face_count == model.face_count);
             CHECK(strstr(missing.message, rows[i].missing) != NULL);
             CHECK((missing.message[0] == '\0') == (rows[i].missing[0] == '\0'));

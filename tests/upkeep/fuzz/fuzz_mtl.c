@@ -45,6 +45,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
         const struct model_material *material = &model.materials[i];
         for (int k = 0; k < 3; k++) {
             REQUIRE(material->color[k] >= 0 && material->color[k] <= 1);
+            REQUIRE(material->ambient[k] >= 0 && material->ambient[k] <= 1);
         }
         REQUIRE(material->texture == NULL ||
                 strncmp(material->texture, "no/such/directory/", 18) == 0);
