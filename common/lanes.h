@@ -43,10 +43,6 @@ typedef REAL real;
 #endif
 #endif
 
-#if LANES >= 8 && defined(__AVX2__)
-#include <immintrin.h>
-#endif
-
 #define LANES_INLINE static inline __attribute__((always_inline))
 
 #define LANES_IS_FLOAT (sizeof(real) == sizeof(float))
@@ -172,17 +168,10 @@ LANES_INLINE uint32_t lanes_texel_at(lanes_texel texels, int i) {
     return texel[i];
 }
 
-/* The next lower whole number; for what is not beyond 2^22. */
+/* The next lower whole number; for what an int32_t can hold. */
 LANES_INLINE lanes lanes_floor(lanes a) {
-#if LANES_OF_TYPE(REAL) == 16 && defined(__AVX512F__)
-    return (lanes)_mm512_floor_ps((__m512)a);
-#elif LANES_OF_TYPE(REAL) == 8 && defined(__AVX2__)
-    return (lanes)_mm256_floor_ps((__m256)a);
-#else
-    const real whole = LANES_IS_FLOAT ? 0x1.8p23f : (real)0x1.8p52; /* so large: no fraction */
-    lanes nearest = (a + whole) - whole;
-    return lanes_select(nearest > a, nearest - 1, nearest);
-#endif
+    lanes whole = lanes_from_int(lanes_to_int(a));
+    return lanes_select(whole > a, whole - 1, whole);
 }
 
 /* A level rounded to the nearest of 0..255, halves up; what is not a number becomes 0. */

@@ -5,13 +5,45 @@
 
 /* ---- Memory ---- */
 
+bool pipeline_create(struct pipeline *pipeline, size_t width, size_t height, struct error *error) {
+    *pipeline = (struct pipeline){0};
+    if (width < 1 || height < 1 || width > DRAW_LIMIT || height > DRAW_LIMIT) {
+        return error_set(error, "cannot draw %zux%zu pixels: a side has 1 to %d", width, height,
+                         DRAW_LIMIT);
+    }
+    struct frame *frame = calloc(1, sizeof *frame);
+    if (frame == NULL) {
+        return error_out_of_memory(error);
+    }
+    pipeline->width = width;
+    pipeline->height = height;
+    pipeline->skip = true;
+    pipeline->frame = frame;
+    return true;
+}
+
+static void visibility_free(struct visibility *visibility) {
+    free(visibility->depth);
+    free(visibility->number);
+    free(visibility->touched);
+    free(visibility->farthest);
+    *visibility = (struct visibility){0};
+}
+
+static void free_all_visibility(struct frame *frame) {
+    for (size_t i = 0; i < frame->visibility_count; i++) {
+        visibility_free(&frame->visibility[i]);
+    }
+    frame->visibility_count = 0;
+}
+
 static void free_all_scratch(struct frame *frame) {
     for (size_t i = 0; i < frame->scratch_count; i++) {
         free(frame->scratch[i].pieces);
         free(frame->scratch[i].fetched);
         free(frame->scratch[i].visible);
         free(frame->scratch[i].planes);
-        free(frame->scratch[i].before);
+        visibility_free(&frame->scratch[i].before);
     }
     frame->scratch_count = 0;
 }
@@ -19,49 +51,29 @@ static void free_all_scratch(struct frame *frame) {
 static void free_all_blocks(struct frame *frame) {
     for (size_t i = 0; i < frame->blocks_made; i++) {
         free(frame->blocks[i].pieces);
+        free(frame->blocks[i].bands);
         free(frame->blocks[i].sorted);
     }
 }
 
 static void frame_free(struct frame *frame) {
+    free_all_visibility(frame);
     free_all_scratch(frame);
     free_all_blocks(frame);
     workers_free(frame->workers);
     free(frame->calls);
     free(frame->uniforms);
+    free(frame->order);
     free(frame->positions);
     free(frame->recip_w);
     free(frame->beyonds);
     free(frame->blocks);
-    free(frame->columns);
+    free(frame->band_starts);
+    free(frame->visibility);
     free(frame->scratch);
     free(frame->band_stats);
-    free(frame->touched);
     free(frame->last_touched);
-    free(frame->farthest);
     free(frame);
-}
-
-bool pipeline_create(struct pipeline *pipeline, size_t width, size_t height, struct error *error) {
-    *pipeline = (struct pipeline){.width = width, .height = height, .skip = true};
-    if (width < 1 || height < 1 || width > DRAW_LIMIT || height > DRAW_LIMIT) {
-        return error_set(error, "cannot draw %zux%zu pixels: a side has 1 to %d", width, height,
-                         DRAW_LIMIT);
-    }
-    struct frame *frame = pipeline->frame = calloc(1, sizeof *frame);
-    if (frame != NULL) {
-        frame->pipeline = pipeline;
-        frame->touched = calloc(band_count(frame) * chunk_columns(frame), sizeof(uint32_t));
-        frame->last_touched = calloc(band_count(frame) * chunk_columns(frame), sizeof(uint32_t));
-        frame->farthest = malloc(tile_count(frame) * sizeof *frame->farthest);
-        frame->band_stats = calloc(band_count(frame), sizeof *frame->band_stats);
-    }
-    if (frame == NULL || frame->touched == NULL || frame->last_touched == NULL ||
-        frame->farthest == NULL || frame->band_stats == NULL) {
-        pipeline_free(pipeline);
-        return error_out_of_memory(error);
-    }
-    return true;
 }
 
 void pipeline_free(struct pipeline *pipeline) {
@@ -72,35 +84,28 @@ void pipeline_free(struct pipeline *pipeline) {
     *pipeline = (struct pipeline){0};
 }
 
-void pipeline_clear_column(struct column *column, uint32_t touched) {
-    for (size_t place = 0; touched != 0; touched >>= 1) {
-        for (size_t i = 0; (touched & 1) != 0 && i < CHUNK; i++) {
-            column->depth[place + i] = -INFINITY;
-            column->number[place + i] = 0;
-        }
-        place += CHUNK;
+/* Room for a band, in which nothing is visible yet; left as it was when memory runs out. */
+static bool visibility_create(struct visibility *visibility, const struct frame *frame) {
+    size_t columns = chunk_columns(frame), pixels = columns * CHUNK * BAND_HEIGHT;
+    /* Behind the last number one more is read: see find_runs(). */
+    size_t depth_size = pixels * sizeof *visibility->depth;
+    size_t number_size = (pixels + CHUNK) * sizeof *visibility->number;
+    struct visibility made = {
+        .depth = aligned_alloc(CACHE_LINE, depth_size),
+        .number = aligned_alloc(CACHE_LINE, number_size),
+        .touched = calloc(columns, sizeof *made.touched),
+        .farthest = malloc(columns * BAND_TILES * sizeof *made.farthest),
+    };
+    if (made.depth == NULL || made.number == NULL || made.touched == NULL ||
+        made.farthest == NULL) {
+        visibility_free(&made);
+        return false;
     }
-}
-
-static void free_columns(struct frame *frame) {
-    free(frame->columns);
-    frame->columns = NULL;
-    frame->column_count = 0;
-}
-
-/* Room for that many columns, in which nothing is visible yet. */
-static bool reserve_columns(struct frame *frame, size_t count) {
-    if (count <= frame->column_count) {
-        return true;
-    }
-    free_columns(frame);
-    frame->columns = aligned_alloc(CACHE_LINE, count * sizeof *frame->columns);
-    for (size_t i = 0; frame->columns != NULL && i < count; i++) {
-        memset(&frame->columns[i], 0, sizeof frame->columns[i]);
-        pipeline_clear_column(&frame->columns[i], UINT32_MAX);
-    }
-    frame->column_count = frame->columns != NULL ? count : 0;
-    return frame->columns != NULL;
+    depth_clear(made.depth, pixels);
+    memset(made.number, 0, number_size);
+    depth_clear(made.farthest, columns * BAND_TILES);
+    *visibility = made;
+    return true;
 }
 
 /* Memory for the pieces of one band: fewer than all. What is not used is not touched. */
@@ -115,8 +120,8 @@ static bool scratch_reserve(struct scratch *scratch, const struct frame *frame) 
                         sizeof *scratch->visible) &&
            array_extend(&scratch->planes, &scratch->plane_capacity, visible,
                         PLANES_SIZE(VARYING_LIMIT) * sizeof *scratch->planes) &&
-           (!frame->discards || array_extend(&scratch->before, &scratch->before_capacity,
-                                             chunk_columns(frame), sizeof *scratch->before));
+           (!frame->discards || scratch->before.depth != NULL ||
+            visibility_create(&scratch->before, frame));
 }
 
 /* ---- Draw calls ---- */
@@ -179,11 +184,10 @@ bool pipeline_draw(struct pipeline *pipeline, const struct draw_call *call,
     }
     pipeline->stats[STAT_CALLS]++;
     pipeline->stats[STAT_FACES] += call->model->face_count;
-    frame->calls[frame->call_count] = (struct recorded_call){
+    frame->calls[frame->call_count++] = (struct recorded_call){
         .call = *call,
         .shader = shader,
         .uniforms = frame->uniforms_end,
-        .drawn = (uint32_t)frame->call_count,
         .place = {columns_of(v), rows_of(v), INFINITY},
     };
     if (size > 0) {
@@ -191,7 +195,6 @@ bool pipeline_draw(struct pipeline *pipeline, const struct draw_call *call,
     }
     frame->uniforms_end +=
         (size + UNIFORMS_ALIGNMENT - 1) / UNIFORMS_ALIGNMENT * UNIFORMS_ALIGNMENT;
-    frame->call_count++;
     frame->discards |= shader->discards;
     return true;
 }
@@ -209,17 +212,13 @@ static bool reserve_depth(struct pipeline *p) {
     return true;
 }
 
-/* Nothing is drawn yet. */
-static void begin_frame(struct frame *frame, struct pipeline *p, struct image *image) {
+/* Nothing is drawn yet. Room for what does not depend on the models. */
+static bool begin_frame(struct frame *frame, struct pipeline *p, struct image *image) {
     size_t bands = band_count(frame);
     const struct image *last = &frame->last_image;
-    uint32_t *touched = frame->last_touched;
     frame->image = image;
     frame->knows_last = p->clearing == CLEAR_LAST_FRAME && last->pixels == image->pixels &&
                         last->format == image->format;
-    frame->last_image = (struct image){0}; /* until it is drawn */
-    frame->last_touched = frame->touched;
-    frame->touched = touched;
     frame->round = (struct index_range){0, 0};
     frame->position_count = frame->block_count = frame->sorted_count = 0;
     frame->kept = false;
@@ -228,17 +227,30 @@ static void begin_frame(struct frame *frame, struct pipeline *p, struct image *i
         frame->workers = workers_create(frame->thread_count);
         frame->has_workers = true;
     }
-    memset(frame->touched, 0, bands * chunk_columns(frame) * sizeof *frame->touched);
+    if (!reserve_depth(p) ||
+        !array_extend(&frame->last_touched, &frame->touched_capacity, bands * chunk_columns(frame),
+                      sizeof *frame->last_touched) ||
+        !array_extend(&frame->band_stats, &frame->band_capacity, bands,
+                      sizeof *frame->band_stats)) {
+        return false;
+    }
     memset(frame->band_stats, 0, bands * sizeof *frame->band_stats);
+    return true;
 }
 
-/* Room for what the threads need to draw bands. */
+/* Room for what the threads need to draw bands; and what is visible of one: for each thread, or,
+ * where it is kept from round to round, for each band. */
 static bool reserve_bands(struct frame *frame, struct error *error) {
     size_t threads = workers_count(frame->workers);
-    size_t rows = frame->kept ? band_count(frame) : threads;
+    size_t count = frame->kept ? band_count(frame) : threads;
     bool reserved =
-        reserve_columns(frame, rows * chunk_columns(frame)) &&
+        array_extend(&frame->visibility, &frame->visibility_capacity, count,
+                     sizeof *frame->visibility) &&
         array_extend(&frame->scratch, &frame->scratch_capacity, threads, sizeof *frame->scratch);
+    for (size_t i = frame->visibility_count; reserved && i < count; i++) {
+        reserved = visibility_create(&frame->visibility[i], frame);
+        frame->visibility_count += reserved;
+    }
     for (size_t i = 0; reserved && i < threads; i++) {
         if (i == frame->scratch_count) {
             frame->scratch[frame->scratch_count++] = (struct scratch){0};
@@ -253,7 +265,7 @@ static bool reserve_bands(struct frame *frame, struct error *error) {
 static bool draw_rounds(struct frame *frame, struct error *error) {
     do {
         pipeline_next_round(frame);
-        frame->kept |= frame->round.end < frame->call_count;
+        frame->kept |= frame->round.end < frame->order_count;
         if (!pipeline_assemble_round(frame, error) || !reserve_bands(frame, error)) {
             return false;
         }
@@ -261,7 +273,7 @@ static bool draw_rounds(struct frame *frame, struct error *error) {
             workers_run(frame->workers, band_count(frame), pipeline_cover_band, frame);
             frame->round.begin = frame->round.end;
         }
-    } while (frame->round.end < frame->call_count);
+    } while (frame->round.end < frame->order_count);
     return true;
 }
 
@@ -269,13 +281,9 @@ bool pipeline_finish(struct pipeline *p, struct image *image, struct error *erro
     assert(image->width == p->width && image->height == p->height && image->format != IMAGE_GREY);
     struct frame *frame = p->frame;
     frame->pipeline = p;
-    begin_frame(frame, p, image);
-    if (!reserve_depth(p)) {
-        return error_out_of_memory(error);
-    }
-    pipeline_order(frame);
-    if (!draw_rounds(frame, error)) {
-        free_columns(frame); /* in some there is something, perhaps */
+    if (!(begin_frame(frame, p, image) || error_out_of_memory(error)) ||
+        !pipeline_order(frame, error) || !draw_rounds(frame, error)) {
+        free_all_visibility(frame); /* of some bands, perhaps, there is something in it */
         return false;
     }
     workers_run(frame->workers, band_count(frame), pipeline_draw_band, frame);

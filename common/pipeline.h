@@ -11,7 +11,7 @@
  * are:
  *
  *     record     keep the draw call                               pipeline_draw() in pipeline.c
- *     order      where each call is on the screen; nearest first  pipeline/order.c
+ *     order      drop calls off screen; nearest first             pipeline/order.c
  *     transform  each position once, to the screen                pipeline/assemble.c
  *     classify   which faces are off screen, turned away, tiny    pipeline/classify.c
  *     clip       cut what leaves the view                         pipeline/clip.c
@@ -125,7 +125,7 @@ struct shader {
  * a hidden call all faces, also what is outside or turned away). */
 enum pipeline_stat {
     STAT_CALLS,                /* draw calls */
-    STAT_CALLS_OUTSIDE,        /* of several, skipped: all of the model is beyond one side */
+    STAT_CALLS_OUTSIDE,        /* skipped: all of the model is beyond one side of the view */
     STAT_CALLS_HIDDEN,         /* skipped: all of the model is behind nearer ones */
     STAT_VERTICES_TRANSFORMED, /* positions; none of skipped calls */
     STAT_FACES,                /* asked for */

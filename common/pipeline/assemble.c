@@ -141,7 +141,9 @@ static void transform_block(void *context, size_t index, size_t worker) {
 /* Room for that many pieces more. */
 static bool reserve_pieces(struct block *block, size_t count) {
     return array_extend(&block->pieces, &block->piece_capacity, block->piece_count + count,
-                        sizeof *block->pieces);
+                        sizeof *block->pieces) &&
+           array_extend(&block->bands, &block->band_capacity, block->piece_count + count,
+                        sizeof *block->bands);
 }
 
 /* Add a triangle of a batch that is whole. Corner 0 becomes the lowest, so that a face whose
@@ -157,19 +159,20 @@ static void add_piece(const struct frame *frame, struct block *block, const stru
         block->stats[STAT_FACES_BEHIND]++;
         return;
     }
+    const struct band_span bands = {(uint16_t)(rows.begin / BAND_HEIGHT),
+                                    (uint16_t)((rows.end - 1) / BAND_HEIGHT)};
+    block->bands[block->piece_count] = bands;
     struct piece *piece = &block->pieces[block->piece_count++];
-    piece->first = (uint8_t)batch->first[at];
-    piece->second = (uint8_t)batch->second[at];
+    int order[3] = {batch->first[at], batch->second[at], 3 - batch->first[at] - batch->second[at]};
     for (int i = 0; i < 3; i++) {
-        size_t corner = corner_of_face(piece, i);
-        piece->corner[i] = (struct fixed2){batch->x[corner][at], batch->y[corner][at]};
-        piece->depth[i] = depth[corner];
+        piece->corner[i] = (struct fixed2){batch->x[order[i]][at], batch->y[order[i]][at]};
+        piece->depth[i] = depth[order[i]];
+        piece->face_corner[i] = (uint8_t)order[i];
     }
     piece->face = (uint32_t)face;
     piece->part = (uint8_t)part;
-    piece->drawn = block->call->drawn;
-    piece->first_band = (uint16_t)(rows.begin / BAND_HEIGHT);
-    piece->last_band = (uint16_t)((rows.end - 1) / BAND_HEIGHT);
+    piece->call = (uint32_t)(block->call - frame->calls);
+    piece->several = bands.last > bands.first;
     atomic_init(&piece->seen, false);
     block->columns = span_around(block->columns, columns);
     block->rows = span_around(block->rows, rows);
@@ -293,14 +296,13 @@ static bool add_batch(const struct frame *frame, struct block *block, const stru
  * places where the lists begin. False when memory runs out. */
 static bool sort_block(const struct frame *frame, struct block *block) {
     size_t bands = band_count(frame);
-    uint32_t *starts = block->sorted;
+    uint32_t *starts = frame->band_starts + (size_t)(block - frame->blocks) * (bands + 1);
     memset(starts, 0, (bands + 1) * sizeof *starts);
     for (size_t i = 0; i < block->piece_count; i++) {
-        for (int band = block->pieces[i].first_band; band <= block->pieces[i].last_band; band++) {
+        for (int band = block->bands[i].first; band <= block->bands[i].last; band++) {
             starts[band]++;
         }
     }
-    starts[0] += (uint32_t)bands + 1;
     for (size_t band = 1; band <= bands; band++) {
         starts[band] += starts[band - 1];
     }
@@ -308,9 +310,8 @@ static bool sort_block(const struct frame *frame, struct block *block) {
                       sizeof *block->sorted)) {
         return false;
     }
-    starts = block->sorted;
     for (size_t i = block->piece_count; i-- > 0;) {
-        for (int band = block->pieces[i].first_band; band <= block->pieces[i].last_band; band++) {
+        for (int band = block->bands[i].first; band <= block->bands[i].last; band++) {
             block->sorted[--starts[band]] = (uint32_t)i;
         }
     }
@@ -354,10 +355,6 @@ static bool add_block(struct frame *frame, struct recorded_call *call, size_t be
         *block = (struct block){.piece_count = 0};
         frame->blocks_made++;
     }
-    if (!array_extend(&block->sorted, &block->sorted_capacity, band_count(frame) + 1,
-                      sizeof *block->sorted)) {
-        return false;
-    }
     block->call = call;
     block->begin = begin;
     block->piece_count = 0;
@@ -384,17 +381,13 @@ static bool add_blocks(struct frame *frame, struct recorded_call *call) {
     return reserved;
 }
 
-/* Add the calls of the round that may be seen, and count the others. */
+/* Add the calls of the round that are not hidden, and count those that are. */
 static bool add_calls(struct frame *frame, struct error *error) {
     uint64_t *stats = frame->pipeline->stats;
     frame->round_block = frame->block_count;
     for (size_t i = frame->round.begin; i < frame->round.end; i++) {
-        struct recorded_call *call = &frame->calls[i];
-        call->block_count = 0;
-        if (frame->pipeline->skip && place_is_empty(&call->place)) {
-            stats[STAT_CALLS_OUTSIDE]++;
-            stats[STAT_FACES_OUTSIDE] += call->call.model->face_count;
-        } else if (is_hidden(frame, &call->place)) {
+        struct recorded_call *call = frame->order[i].call;
+        if (is_hidden(frame, &call->place)) {
             stats[STAT_CALLS_HIDDEN]++;
             stats[STAT_FACES_HIDDEN] += call->call.model->face_count;
             stats[STAT_FACES_BEHIND] += call->call.model->face_count;
@@ -406,12 +399,15 @@ static bool add_calls(struct frame *frame, struct error *error) {
 }
 
 static bool reserve_round(struct frame *frame, struct error *error) {
+    size_t starts = frame->block_count * (band_count(frame) + 1);
     return (array_extend(&frame->positions, &frame->position_capacity, frame->position_count,
                          sizeof *frame->positions) &&
             array_extend(&frame->recip_w, &frame->recip_w_capacity, frame->position_count,
                          sizeof *frame->recip_w) &&
             array_extend(&frame->beyonds, &frame->beyond_capacity, frame->position_count,
-                         sizeof *frame->beyonds)) ||
+                         sizeof *frame->beyonds) &&
+            array_extend(&frame->band_starts, &frame->start_capacity, starts,
+                         sizeof *frame->band_starts)) ||
            error_out_of_memory(error);
 }
 
@@ -425,7 +421,7 @@ static bool add_up_blocks(struct frame *frame, struct error *error) {
         }
         place->columns = span_around(place->columns, block->columns);
         place->rows = span_around(place->rows, block->rows);
-        frame->sorted_count += block->sorted[band_count(frame)] - (band_count(frame) + 1);
+        frame->sorted_count += frame->band_starts[(i + 1) * (band_count(frame) + 1) - 1];
         pipeline_add_stats(frame, block->stats);
     }
     return frame->sorted_count <= INT_MAX ||

@@ -3,7 +3,6 @@
 
 /* In boxes higher than this many pixels it pays to ask in which rows a strip lies outside. */
 enum { HIGH_BOX = 8 };
-#define ALMOST_0 0x1p-40
 
 /* ---- Edges at the pixels of a box ---- */
 
@@ -60,6 +59,36 @@ LANES_INLINE doubles depths_at(const struct depth_slopes *s, doubles e1, doubles
     return s->origin + e1 * s->k1 + e2 * s->k2;
 }
 
+/* Of TOGETHER strips of pixels side by side, TOGETHER columns each: the rows in which some may
+ * be inside all edges, from the lowest row of the box on. */
+struct strip_rows {
+    int32_t begin[TOGETHER], end[TOGETHER];
+};
+
+/* In a strip, the greatest value of each edge function is as much as is inside. The row where that
+ * becomes 0 is a fraction of whole numbers, the lower of them up to 2^33: it is a whole number, or
+ * farther from one than `little`; and what is found for it, nearer to it than that. */
+LANES_INLINE struct strip_rows rows_of_strips(const struct box_edges *e, int row_count) {
+    const double little = 0x1p-40;
+    const doubles all = doubles_all(row_count), x = doubles_count() * TOGETHER;
+    const doubles none = doubles_all(0);
+    doubles begin = none, end = all;
+    double4 per_value = -1 / e->dy;
+    for (int i = 0; i < 3; i++) {
+        double to_greatest = e->dx[i] > 0 ? e->dx[i] * (TOGETHER - 1) : 0;
+        doubles greatest = e->origin[i] - e->least[i] + to_greatest + e->dx[i] * x;
+        doubles row = greatest * per_value[i], dy = doubles_all(e->dy[i]);
+        begin = dy[0] > 0 ? doubles_max(begin, row) : begin;
+        end = dy[0] < 0 ? doubles_min(end, row + (1 + little)) : end;
+    }
+    struct strip_rows rows;
+    ints first = __builtin_convertvector(doubles_min(begin + (1 - little), all), ints);
+    ints behind = __builtin_convertvector(doubles_max(end, none), ints);
+    memcpy(rows.begin, &first, sizeof first);
+    memcpy(rows.end, &behind, sizeof behind);
+    return rows;
+}
+
 /* ---- Cover: which piece is nearest at each pixel ---- */
 
 /* What else is done. */
@@ -77,7 +106,6 @@ struct box {
     struct box_edges edges; /* at the next strip */
     struct depth_slopes slopes;
     doubles right[3], up[3], least[3];
-    double4 to_greatest, per_first, per_last, last_more; /* see rows_of_strip() */
 };
 
 /* Where depths are equal: which of the old numbers are of a call that was drawn later than the
@@ -87,7 +115,7 @@ static doubles_mask find_later(const struct call_band *band, doubles_mask equal,
     doubles later = {0};
     for (int i = 0; i < TOGETHER; i++) {
         later[i] =
-            mask_is_set(equal, i) && band->scratch->pieces[numbers[i] - 1]->drawn > piece->drawn;
+            mask_is_set(equal, i) && band->scratch->pieces[numbers[i] - 1]->call > piece->call;
     }
     return mask_above(equal, later, doubles_all(0));
 }
@@ -121,7 +149,7 @@ LANES_INLINE doubles_mask cover_pixels(const struct call_band *band, const struc
 static void touch(const struct call_band *band, int x, struct span rows) {
     uint64_t before_end = (UINT64_C(1) << (rows.end - band->rows.begin)) - 1;
     int begin = rows.begin - band->rows.begin;
-    band->touched[x / CHUNK] |= (uint32_t)(before_end >> begin << begin);
+    band->visibility->touched[x / CHUNK] |= (uint32_t)(before_end >> begin << begin);
 }
 
 /* Some rows of a strip, the TOGETHER columns from x on. */
@@ -136,10 +164,9 @@ LANES_INLINE void cover_strip(const struct call_band *band, const struct box *bo
         seen = mask_above(seen, doubles_all(box->columns.end), at);
         e0 = doubles_select(seen, e0, doubles_all(-INFINITY));
     }
-    struct column *column = &band->chunks[x / CHUNK];
-    size_t place = place_in_column(rows.begin - band->rows.begin, x);
-    double *depths = column->depth + place;
-    uint32_t *numbers = column->number + place;
+    size_t place = place_in_band(rows.begin - band->rows.begin, x);
+    double *depths = band->visibility->depth + place;
+    uint32_t *numbers = band->visibility->number + place;
     for (int y = rows.begin; y < rows.end; y++) {
         doubles_mask inside = mask_not_below(mask_all(), e0, box->least[0]);
         inside = mask_not_below(inside, e1, box->least[1]);
@@ -159,48 +186,47 @@ LANES_INLINE void cover_strip(const struct call_band *band, const struct box *bo
     touch(band, x, rows);
 }
 
-/* The rows of a strip where something may be inside all edges. Where in it the greatest value of an
- * edge function becomes as much as is inside is a fraction of whole numbers, the lower of them up
- * to 2^33: it is a whole number, or farther from one than ALMOST_0; and what is found for it,
- * nearer to it than that. */
-LANES_INLINE struct span rows_of_strip(const struct box *box) {
-    double4 greatest = box->edges.origin + box->to_greatest;
-    double4 first = greatest * box->per_first, last = greatest * box->per_last + box->last_more;
-    double begin = first[0] > first[1] ? first[0] : first[1];
-    double end = last[0] < last[1] ? last[0] : last[1];
-    double most = box->rows.end - box->rows.begin;
-    begin = (begin > first[2] ? begin : first[2]) + (1 - ALMOST_0);
-    end = end < last[2] ? end : last[2];
-    return (struct span){box->rows.begin + (int)(begin < most ? begin : most),
-                         box->rows.begin + (int)(end > 0 ? end : 0)};
-}
-
 /* Its strips, from left to right. Of high ones, only the rows where something may be inside. */
 LANES_INLINE void cover_strips(const struct call_band *band, struct box *box, int left,
                                struct cover_how how) {
-    bool high = box->rows.end - box->rows.begin > HIGH_BOX;
-    for (int x = left; x < box->columns.end; x += TOGETHER) {
-        struct span rows = high ? rows_of_strip(box) : box->rows;
-        if (rows.begin < rows.end) {
-            cover_strip(band, box, x, rows, how);
+    int row_count = box->rows.end - box->rows.begin, bottom = box->rows.begin, x = left;
+    if (row_count <= HIGH_BOX) {
+        for (; x < box->columns.end; x += TOGETHER) {
+            cover_strip(band, box, x, box->rows, how);
+            box->edges.origin += box->edges.dx * TOGETHER;
         }
-        box->edges.origin += box->edges.dx * TOGETHER;
+        return;
+    }
+    while (x < box->columns.end) {
+        struct strip_rows strips = rows_of_strips(&box->edges, row_count);
+        for (int i = 0; i < TOGETHER && x < box->columns.end; i++, x += TOGETHER) {
+            struct span rows = {bottom + strips.begin[i], bottom + strips.end[i]};
+            if (rows.begin < rows.end) {
+                cover_strip(band, box, x, rows, how);
+            }
+            box->edges.origin += box->edges.dx * TOGETHER;
+        }
     }
 }
 
 /* ---- What is behind ---- */
 
-/* Find the farthest depth of the tile that begins in a row of the band, in a column of chunks;
- * beyond the image nothing is drawn. */
-static double find_farthest(const struct call_band *band, int chunk, int begin) {
+/* The rows of the band, counted from its lowest one, in which something is. */
+static struct span rows_in_band(const struct call_band *band, struct span rows) {
+    rows = span_overlap(rows, band->rows);
+    return (struct span){rows.begin - band->rows.begin, rows.end - band->rows.begin};
+}
+
+/* Find the farthest depth of a tile in a column of chunks; beyond the image nothing is drawn. */
+static double find_farthest(const struct call_band *band, int chunk, int tile) {
     double least[CHUNK];
     int columns = (int)band->frame->pipeline->width - chunk * CHUNK;
-    int rows = band->rows.end - band->rows.begin - begin;
+    int begin = tile * TILE_HEIGHT, rows = band->rows.end - band->rows.begin - begin;
     uint32_t all = (UINT32_C(1) << (rows < TILE_HEIGHT ? rows : TILE_HEIGHT)) - 1;
-    if ((band->touched[chunk] >> begin & all) != all) {
+    if ((band->visibility->touched[chunk] >> begin & all) != all) {
         return -INFINITY;
     }
-    const double *depth = band->chunks[chunk].depth + begin * CHUNK;
+    const double *depth = band->visibility->depth + place_in_band(begin, chunk * CHUNK);
     for (int i = 0; i < CHUNK; i++) {
         least[i] = INFINITY;
     }
@@ -218,12 +244,11 @@ static double find_farthest(const struct call_band *band, int chunk, int begin) 
 
 /* After a call, where it has changed something. */
 static void update_farthest(const struct call_band *band) {
-    const struct frame *frame = band->frame;
-    struct span columns = band->columns, rows = band->changed_rows;
-    for (int y = rows.begin / TILE_HEIGHT; y * TILE_HEIGHT < rows.end; y++) {
-        for (int x = columns.begin / CHUNK; x * CHUNK < columns.end; x++) {
-            frame->farthest[(size_t)y * chunk_columns(frame) + (size_t)x] =
-                find_farthest(band, x, y * TILE_HEIGHT - band->rows.begin);
+    struct span columns = band->columns, rows = rows_in_band(band, band->changed_rows);
+    for (int x = columns.begin / CHUNK; x * CHUNK < columns.end; x++) {
+        double *farthest = band->visibility->farthest + x * BAND_TILES;
+        for (int tile = rows.begin / TILE_HEIGHT; tile * TILE_HEIGHT < rows.end; tile++) {
+            farthest[tile] = find_farthest(band, x, tile);
         }
     }
 }
@@ -243,8 +268,9 @@ LANES_INLINE void cover_piece(struct call_band *band, uint32_t number, struct co
     box.rows = span_overlap(box.rows, band->rows);
     box.cut = box.columns.begin > whole.begin || box.columns.end < whole.end;
     if (how.reordered) {
-        const struct screen_place place = {box.columns, box.rows, nearest_of_depths(piece->depth)};
-        if (is_behind(band->frame, &place)) {
+        const struct screen_place place = {box.columns, rows_in_band(band, box.rows),
+                                           nearest_of_depths(piece->depth)};
+        if (is_behind(band->visibility, &place)) {
             band->stats[STAT_FACES_BEHIND]++;
             return;
         }
@@ -259,12 +285,6 @@ LANES_INLINE void cover_piece(struct call_band *band, uint32_t number, struct co
         box.up[i] = doubles_all(e.dy[i]);
         box.least[i] = doubles_all(e.least[i]);
     }
-    double4 none = {0}, per_value = -1 / e.dy;
-    box.to_greatest = double4_select(e.dx > 0, e.dx * (TOGETHER - 1), none) - e.least;
-    box.per_first = double4_select(e.dy > 0, per_value, none);
-    box.per_last = double4_select(e.dy < 0, per_value, none);
-    box.last_more =
-        double4_select(e.dy < 0, none + (1 + ALMOST_0), none + (box.rows.end - box.rows.begin));
     cover_strips(band, &box, left, how);
 }
 
@@ -288,28 +308,21 @@ static void shade(const struct call_band *band) {
     }
 }
 
-/* Keep what is visible in some rows of the columns, for what is discarded. */
-static void keep_before(const struct call_band *band, struct span rows) {
-    size_t place = place_in_column(rows.begin - band->rows.begin, 0);
-    size_t count = (size_t)(rows.end - rows.begin) * CHUNK;
-    for (int x = band->columns.begin / CHUNK; x * CHUNK < band->columns.end; x++) {
-        const struct column *from = &band->chunks[x];
-        struct column *to = &band->scratch->before[x];
-        memcpy(to->depth + place, from->depth + place, count * sizeof *to->depth);
-        memcpy(to->number + place, from->number + place, count * sizeof *to->number);
-    }
-}
-
 /* Cover and shade each piece before the next one is covered. */
 static void draw_pieces(struct call_band *band) {
     const struct span numbers = band->numbers;
+    const struct visibility *now = band->visibility, *before = &band->scratch->before;
     for (int i = numbers.begin; i < numbers.end; i++) {
         const struct fixed2 *c = band->scratch->pieces[i]->corner;
         band->numbers = (struct span){i, i + 1};
         band->columns = span_overlap(box_centers(c[0].x, c[1].x, c[2].x),
                                      columns_of(&band->call->call.viewport));
         if (band->call->shader->discards) {
-            keep_before(band, span_overlap(box_centers(c[0].y, c[1].y, c[2].y), band->rows));
+            size_t place = place_in_band(0, band->columns.begin / CHUNK * CHUNK);
+            size_t count =
+                place_in_band(0, (band->columns.end + CHUNK - 1) / CHUNK * CHUNK) - place;
+            memcpy(before->depth + place, now->depth + place, count * sizeof *now->depth);
+            memcpy(before->number + place, now->number + place, count * sizeof *now->number);
         }
         cover_piece(band, (uint32_t)i + 1, (struct cover_how){false, true});
         band->scratch->fetched[i + 1] = 1;
@@ -335,10 +348,11 @@ static void cover_call(struct call_band *band) {
 
 /* Mark the pieces of which a pixel is visible. */
 static void mark_visible(const struct call_band *band) {
+    const struct visibility *visibility = band->visibility;
     memset(band->scratch->fetched, 0, ((size_t)band->numbers.end + 1) * sizeof(uint32_t));
     for (size_t i = 0; i < chunk_columns(band->frame); i++) {
-        const uint32_t *number = band->chunks[i].number;
-        for (uint32_t rows = band->touched[i]; rows != 0; rows >>= 1) {
+        const uint32_t *number = visibility->number + place_in_band(0, (int)i * CHUNK);
+        for (uint32_t rows = visibility->touched[i]; rows != 0; rows >>= 1) {
             for (int k = 0; (rows & 1) != 0 && k < CHUNK; k++) {
                 band->scratch->fetched[number[k]] = 1;
             }
@@ -347,12 +361,32 @@ static void mark_visible(const struct call_band *band) {
     }
 }
 
+/* Make the band what it was: nothing is drawn. Only what was touched has changed. */
+static void clear_band(const struct call_band *band) {
+    struct visibility *visibility = band->visibility;
+    size_t columns = chunk_columns(band->frame);
+    for (size_t i = 0; i < columns; i++) {
+        size_t place = place_in_band(0, (int)i * CHUNK);
+        for (uint32_t rows = visibility->touched[i]; rows != 0; rows >>= 1) {
+            if ((rows & 1) != 0) {
+                for (int k = 0; k < CHUNK; k++) {
+                    visibility->depth[place + (size_t)k] = -INFINITY;
+                }
+                memset(visibility->number + place, 0, CHUNK * sizeof *visibility->number);
+            }
+            place += CHUNK;
+        }
+        visibility->touched[i] = 0;
+    }
+    depth_clear(visibility->farthest, columns * BAND_TILES);
+}
+
 static void keep_depth(const struct call_band *band) {
     const struct pipeline *p = band->frame->pipeline;
     for (int y = band->rows.begin; y < band->rows.end; y++) {
         for (size_t x = 0; x < p->width; x++) {
             p->depth[(size_t)y * p->width + x] =
-                band->chunks[x / CHUNK].depth[place_in_column(y - band->rows.begin, (int)x)];
+                band->visibility->depth[place_in_band(y - band->rows.begin, (int)x)];
         }
     }
 }
@@ -377,12 +411,12 @@ static void clear_touched(const struct image *image, struct span rows, const uin
 }
 
 /* While the rows are in the cache: the shaders write to them next. */
-static void clear_image(const struct call_band *band) {
+static void clear_image(const struct call_band *band, const uint32_t *last_touched) {
     const struct frame *frame = band->frame;
     const struct image *image = frame->image;
     size_t row_size = image->width * image->format;
     if (frame->knows_last) {
-        clear_touched(image, band->rows, frame->last_touched + (band->touched - frame->touched));
+        clear_touched(image, band->rows, last_touched);
     } else if (frame->pipeline->clearing != CLEAR_NOTHING) {
         memset(image->pixels + (size_t)band->rows.begin * row_size, 0,
                (size_t)(band->rows.end - band->rows.begin) * row_size);
@@ -393,12 +427,13 @@ static void clear_image(const struct call_band *band) {
  * False where it has none in the band. */
 static bool next_call(struct call_band *band, size_t place) {
     const struct frame *frame = band->frame;
-    const struct recorded_call *call = &frame->calls[place];
-    size_t index = (size_t)band->rows.begin / BAND_HEIGHT;
+    const struct recorded_call *call = frame->order[place].call;
+    size_t bands = band_count(frame), index = (size_t)band->rows.begin / BAND_HEIGHT;
     struct piece **next = band->scratch->pieces + band->numbers.end;
     for (size_t i = call->first_block; i < call->first_block + call->block_count; i++) {
         const struct block *block = &frame->blocks[i];
-        for (uint32_t k = block->sorted[index]; k < block->sorted[index + 1]; k++) {
+        const uint32_t *start = frame->band_starts + i * (bands + 1) + index;
+        for (uint32_t k = start[0]; k < start[1]; k++) {
             *next++ = &block->pieces[block->sorted[k]];
         }
     }
@@ -410,8 +445,8 @@ static bool next_call(struct call_band *band, size_t place) {
 
 static bool call_is_behind(const struct call_band *band) {
     struct screen_place place = band->call->place;
-    place.rows = span_overlap(place.rows, band->rows);
-    return band->frame->reordered && is_behind(band->frame, &place);
+    place.rows = rows_in_band(band, place.rows);
+    return band->frame->reordered && is_behind(band->visibility, &place);
 }
 
 /* Cover the pieces of the round's calls in the band; those of earlier rounds are numbered only. */
@@ -436,7 +471,7 @@ static void cover_calls(struct call_band *band) {
 /* Shade what is visible of all calls in the band. */
 static void shade_calls(struct call_band *band) {
     band->numbers.end = 0;
-    for (size_t i = 0; i < band->frame->call_count; i++) {
+    for (size_t i = 0; i < band->frame->order_count; i++) {
         if (next_call(band, i) && !shades_at_once(band->frame, band->call->shader)) {
             band->columns = band->call->place.columns;
             shade(band);
@@ -446,12 +481,10 @@ static void shade_calls(struct call_band *band) {
 
 static struct call_band begin_band(struct frame *frame, size_t index, size_t worker) {
     int bottom = (int)index * BAND_HEIGHT, height = (int)frame->pipeline->height;
-    size_t columns = chunk_columns(frame);
     return (struct call_band){
         .frame = frame,
         .rows = {bottom, height - bottom < BAND_HEIGHT ? height : bottom + BAND_HEIGHT},
-        .touched = frame->touched + index * columns,
-        .chunks = frame->columns + (frame->kept ? index : worker) * columns,
+        .visibility = &frame->visibility[frame->kept ? index : worker],
         .scratch = &frame->scratch[worker],
         .stats = frame->band_stats[index],
     };
@@ -465,16 +498,17 @@ void pipeline_cover_band(void *context, size_t index, size_t worker) {
 void pipeline_draw_band(void *context, size_t index, size_t worker) {
     struct frame *frame = context;
     struct call_band band = begin_band(frame, index, worker);
-    clear_image(&band);
+    size_t columns = chunk_columns(frame);
+    uint32_t *last_touched = frame->last_touched + index * columns;
+    clear_image(&band, last_touched);
     cover_calls(&band);
     mark_visible(&band);
     shade_calls(&band);
     if (frame->pipeline->depth != NULL) {
         keep_depth(&band);
     }
-    for (size_t i = 0; i < chunk_columns(frame); i++) {
-        if (band.touched[i] != 0) {
-            pipeline_clear_column(&band.chunks[i], band.touched[i]);
-        }
+    if (frame->pipeline->clearing == CLEAR_LAST_FRAME) {
+        memcpy(last_touched, band.visibility->touched, columns * sizeof *last_touched);
     }
+    clear_band(&band);
 }

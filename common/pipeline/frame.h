@@ -31,7 +31,7 @@ _Static_assert(BAND_HEIGHT <= 32, "`touched` has a bit for each row");
 
 /* A row is divided into chunks of this many pixels, for however many LANES: what is touched is
  * known by the chunk; and what is farthest, by the tile of some chunks one above the other. */
-enum { CHUNK = 16, TILE_HEIGHT = 8 };
+enum { CHUNK = 16, TILE_HEIGHT = 8, BAND_TILES = BAND_HEIGHT / TILE_HEIGHT };
 _Static_assert(BAND_HEIGHT % TILE_HEIGHT == 0, "no tile lies in two bands");
 
 /* ---- Draw calls and pieces ---- */
@@ -52,12 +52,17 @@ struct recorded_call {
     struct draw_call call;
     const struct shader *shader;
     size_t uniforms;                 /* where they are in the frame's `uniforms` */
-    uint32_t drawn;                  /* how many calls were drawn before it */
     struct screen_place place;       /* first of the box around it, then of its pieces */
-    size_t first_block, block_count; /* none while it is not assembled, or skipped as a whole */
+    size_t first_block, block_count; /* none while it is not assembled, or hidden as a whole */
     size_t first_position;           /* in the frame's `positions` */
     double guard_band;               /* where its faces are clipped: see guard_band_of() */
     atomic_uint beyond;              /* the sides that any of its positions is beyond */
+};
+
+/* A call's place in the order of covering. */
+struct call_order {
+    double nearest;
+    struct recorded_call *call;
 };
 
 /* A position on the screen. */
@@ -71,17 +76,12 @@ struct screen_position {
 struct piece {
     struct fixed2 corner[3]; /* counterclockwise; the lowest first, of those the leftmost */
     double depth[3];
-    uint32_t face, drawn;           /* of the call with that number */
-    uint16_t first_band, last_band; /* that it reaches */
-    uint8_t first, second; /* which corners of the face, or of the part, its first two are */
-    uint8_t part;          /* 0: a whole face; n: triangle n of the fan of a clipped one */
-    atomic_bool seen;      /* one of several bands has shown a pixel of it */
+    uint32_t face, call;
+    uint8_t face_corner[3]; /* which corner of the face, or of the part, each corner is */
+    uint8_t part;           /* 0: a whole face; n: triangle n of the fan of a clipped one */
+    bool several;           /* it reaches several bands */
+    atomic_bool seen;       /* one of these has shown a pixel of it */
 };
-
-/* Which corner of the face, or of the part, corner i of a piece is. */
-static inline size_t corner_of_face(const struct piece *piece, int i) {
-    return i == 0 ? piece->first : i == 1 ? piece->second : 3U - piece->first - piece->second;
-}
 
 /* The positions and the faces of a call are shared out among threads in blocks of this many. */
 enum { BLOCK_SIZE = 1024 };
@@ -91,26 +91,25 @@ struct block {
     struct recorded_call *call;
     size_t begin; /* its first position, and its first face */
     struct piece *pieces;
-    /* Where the list of each band begins, and the last one ends; then the lists: of pieces, by
-     * their indices. */
-    uint32_t *sorted;
-    size_t piece_count, piece_capacity, sorted_capacity;
+    struct band_span {
+        uint16_t first, last;
+    } * bands;        /* that each piece reaches */
+    uint32_t *sorted; /* indices of pieces, band after band: see `band_starts` of the frame */
+    size_t piece_count, piece_capacity, band_capacity, sorted_capacity;
     struct span columns, rows; /* that the pieces may cover */
     uint64_t stats[PIPELINE_STATS];
 };
 
 /* ---- Bands ---- */
 
-/* What is visible of a band, so far, in one column of chunks. So what lies above is near in memory,
- * and as many rows as are wanted are read in turn. */
-struct column {
-    double depth[BAND_HEIGHT * CHUNK]; /* minus infinity: nothing is drawn */
-    /* The piece that is seen: see struct scratch; 0 where nothing is drawn. One more is read
-     * behind the last (see find_runs()), and the others fill a cache line. */
-    uint32_t number[BAND_HEIGHT * CHUNK + CACHE_LINE / sizeof(uint32_t)];
+/* What is visible of a band, so far. A thread's, for one band after the other; or, where a frame
+ * takes several rounds, a band's. */
+struct visibility {
+    double *depth;     /* of each pixel, at place_in_band(); minus infinity: nothing is drawn */
+    uint32_t *number;  /* the same, of its piece: see struct scratch; 0 where nothing is drawn */
+    uint32_t *touched; /* of each column of chunks, bit i: something may be drawn in row i */
+    double *farthest;  /* of each tile, those of a column together: at most every pixel's depth */
 };
-
-_Static_assert(sizeof(struct column) % CACHE_LINE == 0, "each column is aligned");
 
 /* The memory of a thread, for one band after the other. The pieces of a band have numbers from 1
  * on, one draw call's after the other's. */
@@ -119,18 +118,17 @@ struct scratch {
     /* By number: 0 while nothing of the piece is visible, otherwise 1; and once its draw call is
      * shaded, what was fetched for it: the colour of a flat piece, or where its planes are. */
     uint32_t *fetched;
-    uint32_t *visible;     /* the numbers of a draw call's visible pieces */
-    real *planes;          /* and their planes: see planes_of() */
-    struct column *before; /* where a shader discards: what was visible without its piece */
-    size_t piece_capacity, fetched_capacity, visible_capacity, plane_capacity, before_capacity;
+    uint32_t *visible;        /* the numbers of a draw call's visible pieces */
+    real *planes;             /* and their planes: see planes_of() */
+    struct visibility before; /* where a shader discards: what was visible without its piece */
+    size_t piece_capacity, fetched_capacity, visible_capacity, plane_capacity;
 };
 
 /* A band that is drawn, one draw call after the other: what a shade_function works on. */
 struct call_band {
     const struct frame *frame;
     struct span rows;
-    uint32_t *touched;     /* as in the frame, from left to right */
-    struct column *chunks; /* of its rows, likewise */
+    struct visibility *visibility;
     struct scratch *scratch;
     uint64_t *stats;
     const struct recorded_call *call;
@@ -154,9 +152,11 @@ struct frame {
     size_t uniforms_end, uniforms_capacity;
     bool discards; /* one of the shaders does */
     /* Ordered: */
-    bool reordered;           /* the nearest call comes first */
-    struct index_range round; /* of the calls, what comes in this round */
-    bool kept;                /* there are several: each band has its own columns */
+    struct call_order *order; /* the calls that may cover pixels, as they are covered */
+    size_t order_count, order_capacity;
+    bool reordered;           /* the nearest first */
+    struct index_range round; /* of the order, what comes in this round */
+    bool kept;                /* there are several: each band has its own visibility */
     /* Transformed: positions, and the sides of the view that they are beyond. */
     struct screen_position *positions;
     double *recip_w; /* 1/w; 0 where they have no place */
@@ -164,24 +164,23 @@ struct frame {
     size_t position_count, position_capacity, recip_w_capacity, beyond_capacity;
     /* Assembled: */
     struct block *blocks;
-    size_t block_count, block_capacity;
+    uint32_t *band_starts; /* of each block, in `sorted`: one for each band, and the end */
+    size_t block_count, block_capacity, start_capacity;
     size_t blocks_made;    /* that have memory */
     size_t round_block;    /* the first one of the round */
-    size_t sorted_count;   /* pieces in the lists of all `sorted` */
+    size_t sorted_count;   /* entries of all `sorted` */
     atomic_bool exhausted; /* a thread ran out of memory */
     /* Drawn: */
-    struct column *columns; /* a row of them for each thread, or for each band if `kept` */
-    size_t column_count;
-    struct scratch *scratch; /* one a thread */
+    struct visibility *visibility; /* one a thread or, if `kept`, one a band */
+    struct scratch *scratch;       /* one a thread */
     uint64_t (*band_stats)[PIPELINE_STATS];
-    size_t scratch_count, scratch_capacity;
-    /* For each column of each band, bit i: something may be drawn in row i. And the same of the
-     * last frame. */
-    uint32_t *touched, *last_touched;
-    /* Of each tile of the image, row after row: at most the depth of any pixel. If `reordered`. */
-    double *farthest;
-    struct image last_image; /* in which that was drawn */
-    bool knows_last;         /* this image is that one, and nobody else has written to it */
+    size_t visibility_count, visibility_capacity;
+    size_t scratch_count, scratch_capacity, band_capacity;
+    /* For CLEAR_LAST_FRAME: `touched` of all bands, and whose they are. */
+    uint32_t *last_touched;
+    size_t touched_capacity;
+    struct image last_image;
+    bool knows_last; /* the image is that one */
 };
 
 /* Are the pixels of a shader shaded while they are covered? */
@@ -193,18 +192,14 @@ static inline size_t band_count(const struct frame *frame) {
     return (frame->pipeline->height + BAND_HEIGHT - 1) / BAND_HEIGHT;
 }
 
-/* A column is a chunk wide. */
 static inline size_t chunk_columns(const struct frame *frame) {
     return (frame->pipeline->width + CHUNK - 1) / CHUNK;
 }
 
-/* Where a pixel of a band is in its column. */
-static inline size_t place_in_column(int row, int x) {
-    return (size_t)row * CHUNK + (size_t)x % CHUNK;
-}
-
-static inline size_t tile_count(const struct frame *frame) {
-    return band_count(frame) * (BAND_HEIGHT / TILE_HEIGHT) * chunk_columns(frame);
+/* Where a pixel of a band is in memory: chunk above chunk, and column of chunks next to column. So
+ * what lies above is near, and as many rows as are wanted are read in turn. */
+static inline size_t place_in_band(int row, int x) {
+    return ((size_t)x / CHUNK * BAND_HEIGHT + (size_t)row) * CHUNK + (size_t)x % CHUNK;
 }
 
 static inline struct span span_around(struct span a, struct span b) {
@@ -237,12 +232,13 @@ static inline struct span rows_of(const struct rectangle *viewport) {
     return (struct span){viewport->y, viewport->y + viewport->height};
 }
 
-/* Is everything in a place behind what is shown in every tile that it reaches? */
-static inline bool is_behind(const struct frame *frame, const struct screen_place *place) {
+/* Is everything in a place behind what is shown in every tile that it reaches? Rows are counted
+ * from the lowest one of the first of these bands. */
+static inline bool is_behind(const struct visibility *bands, const struct screen_place *place) {
     for (int y = place->rows.begin / TILE_HEIGHT; y * TILE_HEIGHT < place->rows.end; y++) {
-        const double *farthest = frame->farthest + (size_t)y * chunk_columns(frame);
+        const double *farthest = bands[y / BAND_TILES].farthest + y % BAND_TILES;
         for (int x = place->columns.begin / CHUNK; x * CHUNK < place->columns.end; x++) {
-            if (!(place->nearest < farthest[x])) {
+            if (!(place->nearest < farthest[x * BAND_TILES])) {
                 return false;
             }
         }
@@ -252,7 +248,7 @@ static inline bool is_behind(const struct frame *frame, const struct screen_plac
 
 /* The same, of what the rounds before this one have covered. */
 static inline bool is_hidden(const struct frame *frame, const struct screen_place *place) {
-    return frame->round.begin > 0 && !place_is_empty(place) && is_behind(frame, place);
+    return frame->round.begin > 0 && !place_is_empty(place) && is_behind(frame->visibility, place);
 }
 
 /* ---- Positions ---- */
@@ -330,11 +326,8 @@ static inline void pipeline_add_stats(struct frame *frame, const uint64_t stats[
     }
 }
 
-/* Make a column what it was, before these of its rows were touched: nothing is drawn in it. */
-void pipeline_clear_column(struct column *column, uint32_t touched);
-
-/* Find where calls may cover pixels, and the order in which they are covered. */
-void pipeline_order(struct frame *frame);
+/* Find the calls that may cover pixels, and the order in which they are covered. */
+bool pipeline_order(struct frame *frame, struct error *error);
 
 /* Go on to the next round; from all zero, to the first. */
 void pipeline_next_round(struct frame *frame);

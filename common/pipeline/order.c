@@ -89,6 +89,17 @@ static struct screen_place find_place(const struct draw_call *call, const struct
     return place;
 }
 
+/* Are a few of the positions beyond one side, as all of a model outside must be? The box around one
+ * large model takes longer to find than it saves. */
+static bool may_be_outside(const struct draw_call *call) {
+    const struct model *model = call->model;
+    unsigned beyond = BEYOND_ONE_SIDE;
+    for (size_t i = 0; i < model->position_count; i += model->position_count / 8 + 1) {
+        beyond &= beyond_sides(mat4_point(&call->to_clip, model->positions[i]));
+    }
+    return beyond != 0;
+}
+
 /* ---- Their order ---- */
 
 static uint64_t area_of(struct span columns, struct span rows) {
@@ -99,8 +110,8 @@ static uint64_t area_of(struct span columns, struct span rows) {
 static bool calls_overlap(const struct frame *frame) {
     struct span columns = {INT_MAX, 0}, rows = columns;
     uint64_t sum = 0;
-    for (size_t i = 0; i < frame->call_count; i++) {
-        const struct screen_place *place = &frame->calls[i].place;
+    for (size_t i = 0; i < frame->order_count; i++) {
+        const struct screen_place *place = &frame->order[i].call->place;
         if (!place_is_empty(place)) {
             columns = span_around(columns, place->columns);
             rows = span_around(rows, place->rows);
@@ -112,39 +123,55 @@ static bool calls_overlap(const struct frame *frame) {
 
 /* The nearest first; of equally near ones the first drawn. */
 static int compare_calls(const void *left, const void *right) {
-    const struct recorded_call *a = left, *b = right;
-    if (a->place.nearest != b->place.nearest) {
-        return a->place.nearest > b->place.nearest ? -1 : 1;
+    const struct call_order *a = left, *b = right;
+    if (a->nearest != b->nearest) {
+        return a->nearest > b->nearest ? -1 : 1;
     }
-    return (a->drawn > b->drawn) - (a->drawn < b->drawn);
+    return (a->call > b->call) - (a->call < b->call);
 }
 
-/* One call has nothing to be sorted with: its model takes longer to look at than that saves. */
-void pipeline_order(struct frame *frame) {
+/* List the calls that may cover pixels, and count the others. */
+static void list_calls(struct frame *frame) {
     const struct model *of = NULL; /* many draw one model again and again */
     struct box box = {{{0, 0, 0}, {0, 0, 0}}};
-    for (size_t i = 0; i < frame->call_count && frame->call_count > 1; i++) {
+    uint64_t *stats = frame->pipeline->stats;
+    frame->order_count = 0;
+    for (size_t i = 0; i < frame->call_count; i++) {
         struct recorded_call *call = &frame->calls[i];
         const struct model *model = call->call.model;
-        if (model->position_count > 0) {
+        if (model->position_count > 0 && (frame->call_count > 1 || may_be_outside(&call->call))) {
             box = model == of ? box : find_box(model);
             of = model;
             call->place = find_place(&call->call, &box);
         }
+        if (place_is_empty(&call->place) && frame->pipeline->skip) {
+            stats[STAT_CALLS_OUTSIDE]++;
+            stats[STAT_FACES_OUTSIDE] += model->face_count;
+        } else {
+            frame->order[frame->order_count++] = (struct call_order){call->place.nearest, call};
+        }
     }
+}
+
+bool pipeline_order(struct frame *frame, struct error *error) {
+    if (!array_extend(&frame->order, &frame->order_capacity, frame->call_count,
+                      sizeof *frame->order)) {
+        return error_out_of_memory(error);
+    }
+    list_calls(frame);
     /* A shader that discards needs the order of drawing. */
     frame->reordered = frame->pipeline->skip && !frame->discards && calls_overlap(frame);
     if (frame->reordered) {
-        depth_clear(frame->farthest, tile_count(frame));
-        qsort(frame->calls, frame->call_count, sizeof *frame->calls, compare_calls);
+        qsort(frame->order, frame->order_count, sizeof *frame->order, compare_calls);
     }
+    return true;
 }
 
 void pipeline_next_round(struct frame *frame) {
     struct index_range *round = &frame->round;
     round->begin = round->end;
     round->end = round->begin == 0 ? FIRST_ROUND : 2 * round->begin;
-    if (!frame->reordered || frame->call_count < MANY || round->end > frame->call_count) {
-        round->end = frame->call_count;
+    if (!frame->reordered || frame->order_count < MANY || round->end > frame->order_count) {
+        round->end = frame->order_count;
     }
 }

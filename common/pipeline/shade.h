@@ -29,7 +29,20 @@ enum { IS_LITTLE_ENDIAN = 0 };
 
 /* ---- Fetching: once for each visible piece of a draw call ---- */
 
-/* The corners of a part of a clipped face, mixed from the face's own, become number i of `to`. */
+/* A corner of a face becomes corner c of number i of those. */
+KERNEL void put_corner(const struct call_band *band, const struct shader *shader, uint32_t face,
+                       size_t corner, struct corners_together *to, size_t c, size_t i) {
+    const struct recorded_call *call = band->call;
+    size_t position = call->call.model->faces[face].corner[corner].position;
+    double varyings[VARYING_LIMIT];
+    shader->vertex(band->uniforms, face, shader->flat ? 0 : corner, varyings);
+    to->recip_w[c][i] = band->frame->recip_w[call->first_position + position];
+    for (size_t k = 0; k < shader->varying_count; k++) {
+        to->varyings[c][k][i] = varyings[k];
+    }
+}
+
+/* The same for the corners of a part of a clipped face: mixed from those of the face. */
 KERNEL void put_clipped_corners(const struct call_band *band, const struct shader *shader,
                                 const struct piece *piece, struct corners_together *to, size_t i) {
     struct polygon polygon = pipeline_clip_face(band->call, piece->face);
@@ -38,8 +51,8 @@ KERNEL void put_clipped_corners(const struct call_band *band, const struct shade
     for (size_t c = 0; c < 3; c++) {
         shader->vertex(band->uniforms, piece->face, shader->flat ? 0 : c, whole[c]);
     }
-    for (int c = 0; c < 3; c++) {
-        const struct clip_corner *corner = &polygon.corner[fan[corner_of_face(piece, c)]];
+    for (size_t c = 0; c < 3; c++) {
+        const struct clip_corner *corner = &polygon.corner[fan[piece->face_corner[c]]];
         to->recip_w[c][i] = 1 / corner->clip.w;
         for (size_t k = 0; k < shader->varying_count; k++) {
             to->varyings[c][k][i] =
@@ -52,19 +65,11 @@ KERNEL void put_clipped_corners(const struct call_band *band, const struct shade
 /* The corners of a piece become number i of those. */
 KERNEL void put_corners(const struct call_band *band, const struct shader *shader,
                         const struct piece *piece, struct corners_together *to, size_t i) {
-    const struct corner *corners = band->call->call.model->faces[piece->face].corner;
-    const double *recip_w = band->frame->recip_w + band->call->first_position;
-    for (int c = 0; c < 3; c++) {
-        size_t corner = corner_of_face(piece, c);
-        double varyings[VARYING_LIMIT];
+    for (size_t c = 0; c < 3; c++) {
         to->x[c][i] = piece->corner[c].x;
         to->y[c][i] = piece->corner[c].y;
         if (piece->part == 0) {
-            shader->vertex(band->uniforms, piece->face, shader->flat ? 0 : corner, varyings);
-            to->recip_w[c][i] = recip_w[corners[corner].position];
-            for (size_t k = 0; k < shader->varying_count; k++) {
-                to->varyings[c][k][i] = varyings[k];
-            }
+            put_corner(band, shader, piece->face, piece->face_corner[c], to, c, i);
         }
     }
     if (piece->part != 0) {
@@ -76,8 +81,7 @@ KERNEL void put_corners(const struct call_band *band, const struct shader *shade
  * that shows it. */
 static inline const struct piece *see_piece(const struct call_band *band, uint32_t number) {
     struct piece *piece = band->scratch->pieces[number - 1];
-    band->stats[STAT_FACES_HIDDEN] -=
-        piece->first_band == piece->last_band || !atomic_exchange(&piece->seen, true);
+    band->stats[STAT_FACES_HIDDEN] -= !piece->several || !atomic_exchange(&piece->seen, true);
     return piece;
 }
 
@@ -298,7 +302,7 @@ KERNEL bool gather_varyings(const struct call_band *band, const struct shader *s
 struct pixels {
     int x, y;
     lanes_int drawn; /* those of this draw call */
-    size_t place;    /* of the first one in its column */
+    const uint32_t *number;
     lanes varyings[VARYING_LIMIT];
 };
 
@@ -309,7 +313,7 @@ KERNEL bool gather_pixels(const struct call_band *band, const struct shader *sha
     memcpy(&numbers, number, sizeof numbers);
     pixels->x = x;
     pixels->y = y;
-    pixels->place = place_in_column(y - band->rows.begin, x);
+    pixels->number = number;
     pixels->drawn = (lanes_int)((numbers > (uint32_t)band->numbers.begin) &
                                 (numbers <= (uint32_t)band->numbers.end));
     if (lanes_bits(pixels->drawn) == 0) {
@@ -318,17 +322,17 @@ KERNEL bool gather_pixels(const struct call_band *band, const struct shader *sha
     return has_colors(shader) || gather_varyings(band, shader, number, x, y, pixels->varyings);
 }
 
-/* Drawn pixels that the shader discards show again what they showed before. Returns the others. */
+/* Of the pixels that are drawn, those that the shader discards show again what they showed before.
+ * Returns the others. */
 KERNEL lanes_int take_back(const struct call_band *band, const struct pixels *pixels,
                            lanes_mask kept) {
-    struct column *now = &band->chunks[pixels->x / CHUNK];
-    const struct column *before = &band->scratch->before[pixels->x / CHUNK];
+    const struct visibility *now = band->visibility, *before = &band->scratch->before;
+    size_t place = (size_t)(pixels->number - now->number);
     lanes_int drawn = pixels->drawn;
     for (int i = 0; i < LANES; i++) {
         if (drawn[i] != 0 && !lanes_is_set(kept, i)) {
-            size_t place = pixels->place + (size_t)i;
-            now->depth[place] = before->depth[place];
-            now->number[place] = before->number[place];
+            now->depth[place + (size_t)i] = before->depth[place + (size_t)i];
+            now->number[place + (size_t)i] = before->number[place + (size_t)i];
             drawn[i] = 0;
         }
     }
@@ -340,8 +344,7 @@ KERNEL void shade_pixels(const struct call_band *band, const struct shader *shad
     lanes_texel color;
     lanes_int drawn = pixels->drawn;
     if (has_colors(shader)) { /* colours of other draw calls are of no use */
-        const struct column *column = &band->chunks[pixels->x / CHUNK];
-        color = lanes_fetch(band->scratch->fetched, column->number + pixels->place);
+        color = lanes_fetch(band->scratch->fetched, pixels->number);
     } else {
         lanes_mask kept = shader->fragment(band->uniforms, pixels->varyings, &color);
         drawn = shader->discards ? take_back(band, pixels, kept) : drawn;
@@ -354,8 +357,8 @@ KERNEL void shade_pixels(const struct call_band *band, const struct shader *shad
  * with texels that are on their way. (Colours wait for nothing: at once, in 0.94 of the time of a
  * frame.) Returns how many pixels there were in each column. */
 KERNEL lanes_int shade_columns(const struct call_band *band, const struct shader *shader, int x) {
-    const uint32_t *number = band->chunks[x / CHUNK].number + x % CHUNK;
-    uint32_t touched = band->touched[x / CHUNK];
+    const uint32_t *number = band->visibility->number + place_in_band(0, x);
+    uint32_t touched = band->visibility->touched[x / CHUNK];
     struct pixels pixels[BAND_HEIGHT];
     int count = 0;
     lanes_int shaded = {0};

@@ -18,7 +18,7 @@ struct lanes_place {
 LANES_INLINE struct lanes_place lanes_find_texel(lanes coordinate, real size, real recip,
                                                  real most) {
     lanes place = coordinate * size - 0.5f;
-    place -= lanes_floor(place * recip) * size;
+    place -= lanes_floor_any(place * recip) * size;
     place = lanes_min(lanes_max(place, lanes_all(0)), lanes_all(most));
     lanes_int texel = lanes_to_int(place);
     return (struct lanes_place){texel, place - lanes_from_int(texel)};

@@ -7,14 +7,19 @@
  *                                      numbers fit into a register: what must be exact
  *     doubles_mask                     of TOGETHER doubles: for which a comparison holds
  *
- * x86 has instructions for some of this that gcc 12 and clang 14 do not find by themselves. For
- * these, and for some of lanes.h, the compiler is given the right one ("Intel 64 and IA-32
- * Architectures Software Developer's Manual", volume 2); the plain C next to it says what it does.
+ * x86 has instructions for some of this that gcc 12 and clang 14 do not find by themselves. Here,
+ * and for lanes_max() and lanes_min(), they tell the compiler which one is meant ("Intel 64 and
+ * IA-32 Architectures Software Developer's Manual", volume 2); the plain C next to it says what it
+ * does.
  */
 #ifndef COMMON_PIPELINE_VECTORS_H
 #define COMMON_PIPELINE_VECTORS_H
 
 #include "lanes.h"
+
+#if LANES >= 8 && defined(__AVX2__)
+#include <immintrin.h>
+#endif
 
 /* ---- LANES numbers ---- */
 
@@ -35,6 +40,19 @@ LANES_INLINE uint32_t lanes_bits(lanes_int mask) {
         bits |= (uint32_t)(mask[i] != 0) << i;
     }
     return bits;
+#endif
+}
+
+/* The next lower whole number, of any number: what is beyond 2^22 may become any other one. */
+LANES_INLINE lanes lanes_floor_any(lanes a) {
+#if LANES_OF_TYPE(REAL) == 16 && defined(__AVX512F__)
+    return (lanes)_mm512_floor_ps((__m512)a);
+#elif LANES_OF_TYPE(REAL) == 8 && defined(__AVX2__)
+    return (lanes)_mm256_floor_ps((__m256)a);
+#else
+    const real whole = LANES_IS_FLOAT ? 0x1.8p23f : (real)0x1.8p52; /* so large: no fraction */
+    lanes nearest = (a + whole) - whole;
+    return lanes_select(nearest > a, nearest - 1, nearest);
 #endif
 }
 
