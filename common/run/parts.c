@@ -180,8 +180,10 @@ static bool give_normal_map(struct parts *parts, struct drawing_part *part,
                             const struct model_material *material) {
     struct error why = {0};
     float tint[3];
+    int turns[3]; /* a copy: clang-tidy takes the part's own for NULL */
+    memcpy(turns, part->model.turns, sizeof turns);
     find_steepness(material->bump, tint);
-    if (!find_picture(parts, material->bumps, tint, part->model.turns, &part->normal_map, &why)) {
+    if (!find_picture(parts, material->bumps, tint, turns, &part->normal_map, &why)) {
         return false;
     }
     bool is_read = part->normal_map.level_count > 0;

@@ -140,7 +140,7 @@ static int limit(int value, int least, int most) {
 struct work {
     uint64_t covered; /* pixels */
     uint64_t nearest; /* pixels where the face is nearest so far */
-    uint64_t missed;  /* faces over at most 2 x 2 pixels that cover none of them */
+    uint64_t missed;  /* faces over at most 2 x 2 pixels, some in the viewport, that cover none */
 };
 
 /* One face over what was drawn before it: of equal depths the first stays. */
@@ -168,7 +168,7 @@ static void answer_face(const struct placed *placed, const struct rectangle *v, 
             }
         }
     }
-    work->missed += small && work->covered == covered_before;
+    work->missed += small && left < right && bottom < top && work->covered == covered_before;
 }
 
 static struct answer *answer(const struct scene *scene, struct work *work) {
@@ -365,7 +365,7 @@ static bool faces_are_counted(const struct pipeline *pipeline, const struct scen
     uint64_t left_out =
         stats[STAT_FACES_OUTSIDE] + stats[STAT_FACES_TURNED_AWAY] + stats[STAT_FACES_WITHOUT_PIXEL];
     return count == stats[STAT_FACES] - left_out - stats[STAT_FACES_HIDDEN] &&
-           (stats[STAT_FACES_BEHIND] > 0 || left_out >= work->missed);
+           (stats[STAT_FACES_BEHIND] > 0 || stats[STAT_FACES_WITHOUT_PIXEL] >= work->missed);
 }
 
 /* Draw the scene over what is in the image, and judge it. */

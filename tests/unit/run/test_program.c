@@ -3,6 +3,7 @@
 #include "base/file.h"
 #include "files/image_file.h"
 #include "program.h"
+#include "run/live.h"
 #include "unit/streams.h"
 
 #include <fcntl.h>
@@ -473,6 +474,25 @@ static void test_live(void) {
     put_file("mapped.obj", mapped_obj);
     CHECK(run_with_input(&program, "--live mapped.obj", "--only model\n") == 0);
     CHECK(draw_calls == 3);
+    CHECK(run_with_input(&dot_program, "--live", "--only film --probe 1,0\n") == 0);
+    CHECK(last_drawing.probed && last_drawing.probe.x == 1 && last_drawing.probe.y == 0);
+}
+
+/* What --live says first. */
+static void test_description(void) {
+    static const struct scene scene = {.name = "dot", .width = 4, .height = 3, .draw = draw_dot};
+    const struct program program = with_scenes(&dot_program, &scene, 1);
+    char *text = NULL;
+    size_t size;
+    FILE *out = open_memstream(&text, &size);
+    if (CHECK(out != NULL)) {
+        live_describe(&program, out);
+        fclose(out);
+        CHECK_TEXT(text,
+                   "{\"program\":\"probe\",\"scenes\":[{\"name\":\"dot\",\"width\":4,\"height\":3,"
+                   "\"frames\":1}]}\n");
+        free(text);
+    }
 }
 
 /* The numbers of a scene: theirs, or what --set says. (In --live: test_live.sh.) */
@@ -983,8 +1003,8 @@ static void test_clean_up(void) {
 UNIT_MAIN(TEST(test_begin), TEST(test_usage), TEST(test_help), TEST(test_extra), TEST(test_formats),
           TEST(test_frames), TEST(test_stats_and_repeat), TEST(test_repeat_time), TEST(test_camera),
           TEST(test_failures), TEST(test_text_scene), TEST(test_needs), TEST(test_live),
-          TEST(test_set), TEST(test_points_and_notes), TEST(test_stats_of_files), TEST(test_grey),
-          TEST(test_out_of_view), TEST(test_replaced), TEST(test_tiny_and_wrong),
-          TEST(test_turn_and_sides), TEST(test_details), TEST(test_failing_scenes),
-          TEST(test_end_of_options), TEST(test_unprepared), TEST(test_full_output),
-          TEST(test_text_names), TEST(test_clean_up))
+          TEST(test_description), TEST(test_set), TEST(test_points_and_notes),
+          TEST(test_stats_of_files), TEST(test_grey), TEST(test_out_of_view), TEST(test_replaced),
+          TEST(test_tiny_and_wrong), TEST(test_turn_and_sides), TEST(test_details),
+          TEST(test_failing_scenes), TEST(test_end_of_options), TEST(test_unprepared),
+          TEST(test_full_output), TEST(test_text_names), TEST(test_clean_up))
