@@ -43,6 +43,11 @@ static inline struct vec2 vec2_add(struct vec2 a, struct vec2 b) {
     return (struct vec2){a.x + b.x, a.y + b.y};
 }
 
+/* Nothing here calls it; solutions of lesson 6 may. */
+static inline struct vec2 vec2_sub(struct vec2 a, struct vec2 b) {
+    return (struct vec2){a.x - b.x, a.y - b.y};
+}
+
 static inline struct vec2 vec2_scale(struct vec2 a, double factor) {
     return (struct vec2){a.x * factor, a.y * factor};
 }

@@ -56,6 +56,13 @@ static void test_renormalized(void) {
     }
 }
 
+static void test_vec2(void) {
+    struct vec2 a = {3, 5}, b = {1, -2}, sum = vec2_add(a, b), rest = vec2_sub(a, b);
+    struct vec2 twice = vec2_scale(a, 2);
+    CHECK(sum.x == 4 && sum.y == 3 && rest.x == 2 && rest.y == 7);
+    CHECK(twice.x == 6 && twice.y == 10);
+}
+
 /* Three equal depths give this very depth, whatever rounding did to the weights. */
 static void test_depth(void) {
     struct random random = {8};
@@ -175,7 +182,7 @@ static void test_snap(void) {
     CHECK(f.x == 7 && f.y == 7);
 }
 
-UNIT_MAIN(TEST(test_normalized_components), TEST(test_renormalized), TEST(test_depth),
-          TEST(test_level_from), TEST(test_inverse_nearly_singular), TEST(test_not_finite),
-          TEST(test_rotation), TEST(test_lookat_along_up), TEST(test_perpendicular_axis),
-          TEST(test_inverse_overflow), TEST(test_snap))
+UNIT_MAIN(TEST(test_normalized_components), TEST(test_renormalized), TEST(test_vec2),
+          TEST(test_depth), TEST(test_level_from), TEST(test_inverse_nearly_singular),
+          TEST(test_not_finite), TEST(test_rotation), TEST(test_lookat_along_up),
+          TEST(test_perpendicular_axis), TEST(test_inverse_overflow), TEST(test_snap))
