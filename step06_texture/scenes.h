@@ -563,8 +563,7 @@ static bool draw_softer(struct drawing *drawing, struct image *image, struct err
     (void)error;
     const struct state *state = drawing->state;
     for (int i = 0; i < SOFTER_SIDE * SOFTER_SIDE; i++) {
-        struct rectangle cell = grid_cell(image->width, image->height, SOFTER_SIDE, SOFTER_SIDE,
-                                          i % SOFTER_SIDE, i / SOFTER_SIDE);
+        struct rectangle cell = grid_cell(image->width, image->height, SOFTER_SIDE, SOFTER_SIDE, i);
         draw_softer_cell(image, cell, &state->picture[FADING], i);
     }
     return true;

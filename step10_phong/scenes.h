@@ -259,8 +259,7 @@ static bool draw_cells(struct drawing *drawing, struct image *image, const struc
     bool done = true;
     pipeline_begin(drawing);
     for (int i = 0; done && i < columns * rows; i++) {
-        struct rectangle place =
-            grid_cell(image->width, image->height, columns, rows, i % columns, i / columns);
+        struct rectangle place = grid_cell(image->width, image->height, columns, rows, i);
         for (size_t part = 0; drawing_take_part(drawing, part); part++) {
             done = done && record_cell(drawing, image, &cells[i], place, zoom, error);
         }
@@ -435,7 +434,7 @@ enum { TURN_FRAMES = 100 };
 /* The light goes once around the head. For each frame it is asked for another place first: it must
  * not count how often it is asked. */
 static bool draw_turn(struct drawing *drawing, struct image *image, struct error *error) {
-    struct rectangle whole = grid_cell(image->width, image->height, 1, 1, 0, 0);
+    struct rectangle whole = grid_cell(image->width, image->height, 1, 1, 0);
     bool done = true;
     pipeline_begin(drawing);
     (void)turning_light(0.5);
