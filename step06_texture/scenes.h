@@ -135,20 +135,23 @@ static struct color bordered_color(int x, int y) {
     return letters_color(x == 1 ? LETTERS_JOINT : x, y == 1 ? LETTERS_JOINT : y);
 }
 
-/* A picture, more transparent from column to column: the last one has the opacity `rightmost`. */
+/* The letters, more transparent from column to column. */
+static struct color fading_color(int x, int y) {
+    struct color color = letters_color(x, y);
+    color.a = level_from(255 * (1 - (1 - 0.3) * x / (LETTERS_WIDTH - 1)));
+    return color;
+}
+
+/* A texture from a function of its texels. */
 static bool paint_picture(struct texture *texture, int width, int height,
-                          struct color (*color)(int x, int y), double rightmost,
-                          struct error *error) {
+                          struct color (*color)(int x, int y), struct error *error) {
     struct image image;
     if (!image_create(&image, (size_t)width, (size_t)height, IMAGE_BGRA, error)) {
         return false;
     }
     for (int y = 0; y < height; y++) {
         for (int x = 0; x < width; x++) {
-            double opacity = 1 - (1 - rightmost) * x / (width - 1);
-            struct color texel = color(x, y);
-            texel.a = level_from(255 * opacity);
-            image_set(&image, x, y, texel);
+            image_set(&image, x, y, color(x, y));
         }
     }
     bool done = texture_create(texture, &image, error);
@@ -188,8 +191,8 @@ static const struct board far_boards[] = {
      {{0, 1e12}, {1, 1e12}, {1, 1e12}, {0, 1e12}}},
 };
 
-/* At the lower right, with texels as large as pixels. The corners are at pixel centres, so all pixel
- * centres are at corners of texels. The side is a power of 2, so nothing is rounded. */
+/* At the lower right, with texels as large as pixels. The corners are at pixel centres, so all
+ * pixel centres are at corners of texels. The side is a power of 2, so nothing is rounded. */
 static struct board place_cloth(const struct image *image) {
     const double right = (double)image->width - CLOTH_MARGIN + 0.5, left = right - CLOTH_SIDE;
     const double low = CLOTH_MARGIN + 0.5, high = low + CLOTH_SIDE;
@@ -239,7 +242,7 @@ static struct color checker_color(int x, int y) {
 }
 
 static bool make_checker(struct texture *texture, struct error *error) {
-    return paint_picture(texture, CHECKER_SIZE, CHECKER_SIZE, checker_color, 1, error);
+    return paint_picture(texture, CHECKER_SIZE, CHECKER_SIZE, checker_color, error);
 }
 
 static struct color white_color(int x, int y) {
@@ -251,7 +254,7 @@ static struct color white_color(int x, int y) {
 static bool make_colored(struct texture *texture, struct error *error) {
     static const uint32_t colors[] = {0xffffff, 0xff4040, 0x40c040, 0x4060ff,
                                       0xffe040, 0xff60ff, 0x40ffff, 0x808080};
-    bool done = paint_picture(texture, CHECKER_SIZE, CHECKER_SIZE, white_color, 1, error);
+    bool done = paint_picture(texture, CHECKER_SIZE, CHECKER_SIZE, white_color, error);
     for (size_t i = 0; done && i < texture->level_count; i++) {
         const struct texture_level *level = &texture->level[i];
         for (size_t k = 0; k < level->width * level->height; k++) {
@@ -579,12 +582,11 @@ static bool prepare(struct drawing *drawing, size_t width, size_t height, struct
     }
     struct texture *picture = state->picture;
     bool made =
-        paint_picture(&picture[LETTERS], LETTERS_WIDTH, LETTERS_HEIGHT, letters_color, 1, error) &&
-        paint_picture(&picture[BORDERED], LETTERS_WIDTH, LETTERS_HEIGHT, bordered_color, 1,
-                      error) &&
-        paint_picture(&picture[FADING], LETTERS_WIDTH, LETTERS_HEIGHT, letters_color, 0.3, error) &&
-        paint_picture(&picture[CLOTH], CLOTH_SIDE, CLOTH_SIDE, cloth_color, 1, error) &&
-        paint_picture(&picture[MOSAIC], MOSAIC_SIDE, MOSAIC_SIDE, cloth_color, 1, error) &&
+        paint_picture(&picture[LETTERS], LETTERS_WIDTH, LETTERS_HEIGHT, letters_color, error) &&
+        paint_picture(&picture[BORDERED], LETTERS_WIDTH, LETTERS_HEIGHT, bordered_color, error) &&
+        paint_picture(&picture[FADING], LETTERS_WIDTH, LETTERS_HEIGHT, fading_color, error) &&
+        paint_picture(&picture[CLOTH], CLOTH_SIDE, CLOTH_SIDE, cloth_color, error) &&
+        paint_picture(&picture[MOSAIC], MOSAIC_SIDE, MOSAIC_SIDE, cloth_color, error) &&
         make_checker(&picture[CHECKER], error) && make_colored(&picture[COLORED], error);
     texture_set_clamp(&picture[BORDERED], true);
     texture_set_clamp(&picture[FADING], true);

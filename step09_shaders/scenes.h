@@ -188,8 +188,8 @@ static struct draw_call beside_call(struct pair *pair, const struct beside *face
     return call;
 }
 
-/* A square nearer than the full one, and to its right: half of that is covered. The intensity is not
- * 0, but so small that it is rounded to black. */
+/* A square nearer than the full one, and to its right: half of that is covered. The intensity is
+ * not 0, but so small that it is rounded to black. */
 static struct draw_call dim_call(struct pair *dim, struct rectangle cell) {
     struct draw_call call = beside_call(dim, &full_square, cell);
     call.to_clip = mat4_translation((struct vec3){1, 0, 0.5});

@@ -139,8 +139,8 @@ static bool is_same(const struct picture *a, const struct picture *b) {
 }
 
 /* The texture of a file, multiplied by a colour, read at the first call; of no level where it
- * cannot be read. Without a file (NULL) it is the colour. With `turns` it is a normal map of a model
- * that was turned so. */
+ * cannot be read. Without a file (NULL) it is the colour. With `turns` it is a normal map of a
+ * model that was turned so. */
 static bool find_picture(struct parts *parts, const char *path, const float tint[3],
                          const int *turns, struct texture *texture, struct error *why) {
     struct picture picture = {.path = path, .is_normal_map = turns != NULL};
