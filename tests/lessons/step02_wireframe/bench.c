@@ -91,11 +91,11 @@ static void frame_draw_house(void) {
 }
 
 /* A frame begins with an empty image. */
-static void frame_run(int choice) {
+static void frame_run(struct bench_choice choice) {
     const struct model *model = &frame.model;
     const struct wireframe *list = &frame.wireframe;
     image_clear(&frame.timed, color_grey(0));
-    switch (choice) {
+    switch (choice.way) {
     case EVERY_TESTED:
         attempt_1_every_side_tested(&frame.timed, model);
         break;
@@ -117,7 +117,7 @@ static void frame_run(int choice) {
 }
 
 /* Wrong and missing pixels per 1000. */
-static double frame_error(int choice) {
+static double frame_error(struct bench_choice choice) {
     size_t wrong = 0;
     (void)choice;
     for (size_t i = 0; i < (size_t)SIDE * SIDE; i++) {

@@ -43,8 +43,8 @@ static struct shader attempt_called(const struct shader *shader) {
 }
 
 /* simple_draw(); visible_draw() in one band, and in bands; the pipeline, which calls the shader for
- * several pixels, or doesn't; added where it has two threads. */
-enum { SIMPLE, ONE_BAND, BANDS, CALLED, VISIBLE, KINDS, TWO_THREADS = KINDS };
+ * several pixels, or doesn't. */
+enum { SIMPLE, ONE_BAND, BANDS, CALLED, VISIBLE };
 
 static bool draw_by_pipeline(int kind, struct pipeline *p) {
     struct error error;
@@ -55,29 +55,29 @@ static bool draw_by_pipeline(int kind, struct pipeline *p) {
            pipeline_finish(p, &work.image, &error);
 }
 
-static void run(int choice) {
+static void run(struct bench_choice choice) {
     const size_t pixels = (size_t)SIDE * SIDE;
     const struct canvas canvas = {&work.image, work.depth};
     memset(work.image.pixels, 0, pixels * IMAGE_BGRA);
-    if (choice % KINDS > BANDS) {
-        work.drawn = draw_by_pipeline(choice % KINDS, &work.pipelines[choice / KINDS]);
+    if (choice.way > BANDS) {
+        work.drawn = draw_by_pipeline(choice.way, &work.pipelines[choice.on]);
         return;
     }
     work.drawn = true;
-    if (choice == SIMPLE) {
+    if (choice.way == SIMPLE) {
         depth_clear(work.depth, pixels);
         simple_draw(&canvas, &work.call, &simple_gouraud_textured, &work.uniforms);
         return;
     }
     const struct band band = {
-        {0, choice == BANDS ? BAND_ROWS : SIDE}, SIDE, work.depth, work.nearest};
+        {0, choice.way == BANDS ? BAND_ROWS : SIDE}, SIDE, work.depth, work.nearest};
     size_t count = keep_faces(&canvas, &work.call, work.kept);
     visible_draw(&canvas, band, work.kept, (uint32_t)count, &simple_gouraud_textured,
                  &work.uniforms);
 }
 
 /* The mean difference of the channels of all pixels that either picture shows. */
-static double error_of(int choice) {
+static double error_of(struct bench_choice choice) {
     double sum = 0, count = 0;
     (void)choice;
     for (size_t i = 0; i < (size_t)SIDE * SIDE; i++) {
@@ -238,7 +238,7 @@ static bool setup(struct error *error) {
 static const struct bench_version stage_versions[] = {
     VERSION("9a: simple_draw()", SIMPLE), VERSION("9d: visible first", ONE_BAND),
     VERSION("9d: in bands", BANDS),       VERSION("several pixels at once", CALLED),
-    HOUSE_VERSION("no call", VISIBLE),    HOUSE_VERSION("2 threads", TWO_THREADS + VISIBLE),
+    HOUSE_VERSION("no call", VISIBLE),    HOUSE_VERSION_OF(NULL, "2 threads", VISIBLE, 1),
 };
 
 /* The house's error: a level in a thousand that is not the nearest. */
