@@ -250,20 +250,30 @@ static void count_pixels_of(struct target *target) {
     }
 }
 
-static bool make_far(struct target *far, struct error *error) {
-    if (!target_create(far, FAR_SIDE, error) || !make_checker(&far->texture, error)) {
+/* The scene's surface, and no exact colours yet. */
+static bool begin_checker(struct target *target, size_t side, struct error *error) {
+    if (!target_create(target, side, error) || !make_checker(&target->texture, error)) {
         return false;
     }
-    place_surface(&(struct drawing){.values = NULL}, &far->image, plane_corners, far->corners);
+    place_surface(&(struct drawing){.values = NULL}, &target->image, plane_corners,
+                  target->corners);
+    for (size_t i = 0; i < side * side; i++) {
+        target->exact[i] = (struct vec3){-1, -1, -1};
+    }
+    return true;
+}
+
+static bool make_far(struct target *far, struct error *error) {
+    if (!begin_checker(far, FAR_SIDE, error)) {
+        return false;
+    }
 #ifdef _OPENMP
 #pragma omp parallel for schedule(dynamic)
 #endif
     for (int y = 0; y < FAR_SIDE; y++) {
         for (int x = 0; x < FAR_SIDE; x++) {
-            struct vec3 *exact = &far->exact[y * FAR_SIDE + x];
-            if (!exact_checker((size_t)x, (size_t)y, FAR_SIDE, FAR_SIDE, FAR_RAYS, exact)) {
-                *exact = (struct vec3){-1, -1, -1};
-            }
+            exact_checker((size_t)x, (size_t)y, FAR_SIDE, FAR_SIDE, FAR_RAYS,
+                          &far->exact[y * FAR_SIDE + x]);
         }
     }
     count_pixels_of(far);
@@ -296,12 +306,8 @@ static void find_exact_texels(struct target *target, struct vertex a, struct ver
 }
 
 static bool make_tiles(struct target *tiles, struct error *error) {
-    if (!target_create(tiles, TILES_SIDE, error) || !make_checker(&tiles->texture, error)) {
+    if (!begin_checker(tiles, TILES_SIDE, error)) {
         return false;
-    }
-    place_surface(&(struct drawing){.values = NULL}, &tiles->image, plane_corners, tiles->corners);
-    for (size_t i = 0; i < (size_t)TILES_SIDE * TILES_SIDE; i++) {
-        tiles->exact[i] = (struct vec3){-1, -1, -1};
     }
     const struct vertex *c = tiles->corners;
     find_exact_texels(tiles, c[0], c[1], c[2]);
