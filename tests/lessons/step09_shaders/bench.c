@@ -159,49 +159,37 @@ static void draw_exactly(void) {
 
 /* ---- Setting up ---- */
 
-/* Make the model a row of `count` copies of itself, moved by `offset` each, the farthest
- * first. */
-static bool repeat_model(struct model *model, size_t count, struct vec3 offset,
-                         struct error *error) {
+/* Make the model a row of `count` copies of itself, moved by `offset` each, the farthest first. */
+static void repeat_model(struct model *model, size_t count, struct vec3 offset) {
     size_t positions = model->position_count, faces = model->face_count;
-    void *grown = realloc(model->positions, count * positions * sizeof *model->positions);
-    if (grown != NULL) {
-        model->positions = grown;
+    struct vec3 *all = bench_memory(count * positions, sizeof *all);
+    struct face *all_faces = bench_memory(count * faces, sizeof *all_faces);
+    for (size_t i = 0; i < count * positions; i++) {
+        struct vec3 by = vec3_scale(offset, (double)(count - 1 - i / positions));
+        all[i] = vec3_add(model->positions[i % positions], by);
     }
-    struct face *all = realloc(model->faces, count * faces * sizeof *all);
-    if (all != NULL) {
-        model->faces = all;
-    }
-    if (grown == NULL || all == NULL) {
-        return error_out_of_memory(error);
-    }
-    /* The last copy first: copy 0 is what the others are made of. */
-    for (size_t copy = count; copy-- > 0;) {
-        struct vec3 by = vec3_scale(offset, (double)(count - 1 - copy));
-        for (size_t i = 0; i < positions; i++) {
-            model->positions[copy * positions + i] = vec3_add(model->positions[i], by);
-        }
-        for (size_t i = 0; i < faces; i++) {
-            struct face *face = &model->faces[copy * faces + i];
-            *face = model->faces[i];
-            for (int k = 0; k < 3; k++) {
-                face->corner[k].position += (uint32_t)(copy * positions);
-            }
+    for (size_t i = 0; i < count * faces; i++) {
+        all_faces[i] = model->faces[i % faces];
+        for (int k = 0; k < 3; k++) {
+            all_faces[i].corner[k].position += (uint32_t)(i / faces * positions);
         }
     }
+    free(model->positions);
+    free(model->faces);
+    model->positions = all;
+    model->faces = all_faces;
     model->position_count = count * positions;
     model->face_count = count * faces;
-    return true;
 }
 
 /* The scenes' camera. */
 static bool make_busts(struct error *error) {
     static const struct vec3 backwards = {-0.35, -0.1, -0.9};
     struct model *model = &work.model;
-    if (!bench_read_model(model, "bust.obj", error) ||
-        !repeat_model(model, BUSTS, backwards, error)) {
+    if (!bench_read_model(model, "bust.obj", error)) {
         return false;
     }
+    repeat_model(model, BUSTS, backwards);
     struct drawing drawing = {
         .model = model,
         .diffuse = model_texture(model, MODEL_DIFFUSE, error),
