@@ -22,6 +22,7 @@
 #define TESTS_BENCH_H
 
 #include "base/error.h"
+#include "files/model_file.h"
 #include "memory.h"
 #include "model.h"
 
@@ -82,6 +83,9 @@ struct bench_panel {
 
 #define BENCH_EXACT DBL_TRUE_MIN
 
+/* The path of one of the course's models, such as "bust.obj". */
+#define BENCH_MODEL(name) COURSE_BUILD "/models/" name
+
 /* A compiler inlines a small function where few call it. Here many versions do, and none of them
  * shall have less of it than main.c has alone. */
 #if defined(__GNUC__)
@@ -115,8 +119,5 @@ struct bench_lesson {
 /* All of them in order, then NULL. The Makefile writes this list from the names of the files; that
  * of stepNN.c is called bench_stepNN. */
 extern const struct bench_lesson *const bench_lessons[];
-
-/* Read a model of build/models, such as "bust.obj". The caller frees it. */
-bool bench_read_model(struct model *model, const char *name, struct error *error);
 
 #endif

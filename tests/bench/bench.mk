@@ -34,7 +34,7 @@ $(BUILD)/benchmark: $(filter-out %/figures.o,$(call OBJECTS_OF,bench oracle)) $(
 # With lesson 9 also what it is worth to skip, where most of a scene is hidden or off screen.
 bench: $(BUILD)/benchmark $(BUILD)/bench-frame models
 	@mkdir -p $(BUILD)/bench
-	$(Q)$(BUILD)/benchmark -o $(BUILD) $(STEP)
+	$(Q)$(BUILD)/benchmark $(STEP)
 	$(Q)$(if $(filter-out 9 09,$(STEP)),,$(BUILD)/bench-frame --skipping --frames 7)
 
 # The charts of the last `make bench` become those of the lessons.

@@ -131,7 +131,7 @@ static double frame_error(struct bench_choice choice) {
 /* Read the bust, enlarged, with the middle of the face in the middle of the image. A square hole is
  * cut into it, so that it has a border. */
 static bool frame_read_model(struct model *model, struct error *error) {
-    if (!bench_read_model(model, "bust.obj", error)) {
+    if (!model_read(model, BENCH_MODEL("bust.obj"), error)) {
         return false;
     }
     size_t kept = 0;

@@ -133,7 +133,7 @@ static void mesh_add(struct mesh *mesh, const struct fixed2 corner[3]) {
 /* The faces of the bust that are turned to us. */
 static bool make_bust(struct mesh *mesh, const struct image *image, struct error *error) {
     struct model model;
-    if (!bench_read_model(&model, "bust.obj", error)) {
+    if (!model_read(&model, BENCH_MODEL("bust.obj"), error)) {
         return false;
     }
     mesh->triangles = bench_memory(model.face_count, sizeof *mesh->triangles);

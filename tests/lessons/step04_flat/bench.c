@@ -115,7 +115,7 @@ static bool faces_setup(struct error *error) {
     for (int i = 0; i < LIGHT_COUNT; i++) {
         faces.light[i] = vec3_normalized(directions[i]);
     }
-    if (!bench_read_model(&faces.model, "bust.obj", error)) {
+    if (!model_read(&faces.model, BENCH_MODEL("bust.obj"), error)) {
         return false;
     }
     faces.level_count = LIGHT_COUNT * faces.model.face_count;

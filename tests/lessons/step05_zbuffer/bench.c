@@ -80,7 +80,7 @@ static void add_board(struct pile *pile) {
 static bool make_knot(struct pile *pile, const struct image *image, struct error *error) {
     struct model model;
     const struct vec3 light = {0, 0, -1};
-    if (!bench_read_model(&model, "knot.off", error)) {
+    if (!model_read(&model, BENCH_MODEL("knot.off"), error)) {
         return false;
     }
     pile_allocate(pile, model.face_count + 2);

@@ -10,7 +10,6 @@
 #include "../../../step08_projection/attempts.h"
 
 #include "bench/bench.h"
-#include "files/model_file.h"
 #include "files/normals.h"
 #include "oracle/oracle.h"
 #include "oracle/reals.h"
@@ -418,7 +417,7 @@ static double error_clip(struct bench_choice choice) {
 
 static bool setup(struct error *error) {
     struct model *model = &work.model;
-    if (!bench_read_model(model, "bust.obj", error) || !model_need_normals(model, error)) {
+    if (!model_read(model, BENCH_MODEL("bust.obj"), error) || !model_need_normals(model, error)) {
         return false;
     }
     work.drawing = (struct drawing){

@@ -9,7 +9,6 @@
 #include "lesson.h"
 
 #include "bench/bench.h"
-#include "files/model_file.h"
 #include "files/normals.h"
 #include "oracle/oracle.h"
 #include "oracle/texels.h"
@@ -186,7 +185,7 @@ static void repeat_model(struct model *model, size_t count, struct vec3 offset) 
 static bool make_busts(struct error *error) {
     static const struct vec3 backwards = {-0.35, -0.1, -0.9};
     struct model *model = &work.model;
-    if (!bench_read_model(model, "bust.obj", error)) {
+    if (!model_read(model, BENCH_MODEL("bust.obj"), error)) {
         return false;
     }
     repeat_model(model, BUSTS, backwards);

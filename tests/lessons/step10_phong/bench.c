@@ -416,7 +416,7 @@ static bool make_lit(struct error *error) {
     work.lit.tables[0] = attempt_3_make_table(64, SHARP_POWER);
     work.lit.tables[1] = attempt_3_make_table(257, SHARP_POWER);
     work.lit.tables[2] = attempt_3_make_table(1024, SHARP_POWER);
-    return bench_read_model(&work.bust, "bust.obj", error) &&
+    return model_read(&work.bust, BENCH_MODEL("bust.obj"), error) &&
            model_need_normals(&work.bust, error) && find_highlights(error);
 }
 
