@@ -188,7 +188,7 @@ enum {
 /* The last 26 bytes of a version 2.0 file: no extension area, no developer directory. */
 static const uint8_t tga_footer[26] = "\0\0\0\0\0\0\0\0TRUEVISION-XFILE.";
 
-/* What the header says, and where the reader is. */
+/* What the header says, and where what it describes is. */
 struct tga {
     unsigned id_size, map_type, type, map_first, map_length, map_depth;
     unsigned width, height, depth, descriptor;
@@ -197,7 +197,7 @@ struct tga {
     size_t stored;             /* bytes of a stored pixel */
     enum image_format format;  /* of the image that comes out */
     const uint8_t *map;        /* map_length colours */
-    const uint8_t *next, *end; /* the file's bytes that are not yet read */
+    const uint8_t *next, *end; /* the file's bytes that are not yet read: pixels, at last */
 };
 
 static unsigned get_u16(const uint8_t *bytes) {
@@ -344,11 +344,10 @@ static void convert_colors(const struct tga *tga, const uint8_t *stored, size_t 
     }
 }
 
-/* The next `count` stored pixels of the file, which is known to hold them, become pixels. Colours
- * that the map does not have are black and opaque, as in PNG. */
-static void convert_pixels(struct tga *tga, size_t count, uint8_t *pixels) {
-    const uint8_t *stored = tga->next;
-    tga->next += count * tga->stored;
+/* `count` stored pixels become those of the image. Colours that the map does not have are black and
+ * opaque, as in PNG. */
+static void convert_pixels(const struct tga *tga, const uint8_t *stored, size_t count,
+                           uint8_t *pixels) {
     if (tga->type != TGA_COLOR_MAPPED) {
         convert_colors(tga, stored, count, pixels);
         return;
@@ -360,13 +359,6 @@ static void convert_pixels(struct tga *tga, size_t count, uint8_t *pixels) {
         } else {
             store_color(pixels, tga->format, (struct color){.a = 255});
         }
-    }
-}
-
-/* Fill `count` pixels with copies of the one before them. */
-static void repeat_pixel(uint8_t *pixels, size_t count, size_t pixel_size) {
-    for (size_t i = 0; i < count; i++, pixels += pixel_size) {
-        memcpy(pixels, pixels - pixel_size, pixel_size);
     }
 }
 
@@ -396,70 +388,66 @@ static inline void fill_blocks(uint8_t *restrict to, const uint8_t *restrict pix
     }
 }
 
-/* Unpack packets of pixels that are stored as they are wanted, in whole blocks that may reach past
- * a packet's end: so only as long as a packet of any size, which is blocks of pixels, lies in the
- * file, and one and a block more in the image. Returns how many pixels are left. `size`, that of a
- * pixel, is a constant where this is called, and the loops are compiled for it. */
-static inline size_t unpack_inner_packets(struct tga *tga, uint8_t *pixels, size_t left,
-                                          const size_t size) {
-    const size_t packet_limit = TGA_PACKET_LIMIT * size;
+/* Does the next packet lie in the file, and its pixels among those that are left? */
+static bool check_packet(const struct tga *tga, const uint8_t *next, size_t left, size_t size,
+                         struct error *error) {
+    size_t count = next < tga->end ? (*next & 127u) + 1 : 0;
+    size_t stored = next < tga->end && (*next & 128) != 0 ? 1 : count;
+    if (count > left) {
+        return error_set(error, "a TGA packet of %zu pixels, but only %zu are left", count, left);
+    }
+    return (count > 0 && stored * size < (size_t)(tga->end - next)) ||
+           error_set(error, "a TGA cut off: %zu pixels are missing", left);
+}
+
+/* Unpack `left` stored pixels, whose packets may cross rows: in whole blocks as long as a packet of
+ * any size lies in the file, and one and a block more in the image. `size`, that of a stored pixel,
+ * is a constant where this is called, and the loops are compiled for it. */
+static inline bool unpack_packets_of(const struct tga *tga, uint8_t *pixels, size_t left,
+                                     const size_t size, struct error *error) {
     const uint8_t *next = tga->next;
-    while (left >= TGA_PACKET_LIMIT + BLOCK && (size_t)(tga->end - next) > packet_limit) {
+    while (left > 0) {
+        bool inner =
+            left >= TGA_PACKET_LIMIT + BLOCK && (size_t)(tga->end - next) > TGA_PACKET_LIMIT * size;
+        if (!inner && !check_packet(tga, next, left, size, error)) {
+            return false;
+        }
         unsigned head = *next++;
         size_t count = (head & 127) + 1;
-        if ((head & 128) == 0) {
+        if ((head & 128) == 0 && inner) {
             copy_blocks(pixels, next, count * size);
-            next += count * size;
-        } else {
+        } else if (inner) {
             fill_blocks(pixels, next, count * size, size);
-            next += size;
+        } else {
+            for (size_t i = 0; i < count; i++) {
+                memcpy(pixels + i * size, next + ((head & 128) == 0 ? i * size : 0), size);
+            }
         }
+        next += (head & 128) == 0 ? count * size : size;
         pixels += count * size;
         left -= count;
     }
-    tga->next = next;
-    return left;
+    return true;
 }
 
-/* The same for the image's size of pixels; all are left where they are stored in another form. */
-static size_t unpack_most_packets(struct tga *tga, uint8_t *pixels, size_t left) {
-    if (tga->type == TGA_COLOR_MAPPED || tga->stored != (size_t)tga->format) {
-        return left;
-    }
-    switch (tga->format) {
-    case IMAGE_GREY:
-        return unpack_inner_packets(tga, pixels, left, 1);
-    case IMAGE_BGR:
-        return unpack_inner_packets(tga, pixels, left, 3);
-    default:
-        return unpack_inner_packets(tga, pixels, left, 4);
-    }
-}
-
-/* The packets of a run-length coded image. They may cross rows, but not run past the last pixel. */
-static bool unpack_packets(struct tga *tga, uint8_t *pixels, size_t count_all,
+static bool unpack_packets(const struct tga *tga, uint8_t *pixels, size_t count,
                            struct error *error) {
-    size_t pixel_size = (size_t)tga->format;
-    size_t left = unpack_most_packets(tga, pixels, count_all);
-    pixels += (count_all - left) * pixel_size;
-    while (left > 0) {
-        if (tga->next == tga->end) {
-            return error_set(error, "a TGA cut off: %zu pixels are missing", left);
-        }
-        unsigned head = *tga->next++;
-        size_t count = (head & 127) + 1;
-        size_t stored_count = (head & 128) != 0 ? 1 : count;
-        if (count > left) {
-            return error_set(error, "a TGA packet of %zu pixels, but only %zu are left", count,
-                             left);
-        }
-        if (stored_count * tga->stored > (size_t)(tga->end - tga->next)) {
-            return error_set(error, "a TGA cut off: %zu pixels are missing", left);
-        }
-        convert_pixels(tga, stored_count, pixels);
-        repeat_pixel(pixels + stored_count * pixel_size, count - stored_count, pixel_size);
-        pixels += count * pixel_size;
-        left -= count;
+    return tga->stored == 1   ? unpack_packets_of(tga, pixels, count, 1, error)
+           : tga->stored == 2 ? unpack_packets_of(tga, pixels, count, 2, error)
+           : tga->stored == 3 ? unpack_packets_of(tga, pixels, count, 3, error)
+                              : unpack_packets_of(tga, pixels, count, 4, error);
+}
+
+/* Packets are unpacked to the end of the image: a stored pixel is not larger than one of the image,
+ * so none is overwritten before it is converted. */
+static bool decode_pixels(const struct tga *tga, struct image *image, struct error *error) {
+    size_t count = image->width * image->height;
+    uint8_t *unpacked = image->pixels + count * ((size_t)tga->format - tga->stored);
+    if (tga->run_length && !unpack_packets(tga, unpacked, count, error)) {
+        return false;
+    }
+    if (!tga->run_length || unpacked != image->pixels) {
+        convert_pixels(tga, tga->run_length ? unpacked : tga->next, count, image->pixels);
     }
     return true;
 }
@@ -491,11 +479,7 @@ bool tga_decode(struct image *image, const void *data, size_t size, struct error
         !create(image, tga.width, tga.height, tga.format, false, error)) {
         return false;
     }
-    size_t count = image->width * image->height;
-    assert(count > 0);
-    if (!tga.run_length) {
-        convert_pixels(&tga, count, image->pixels);
-    } else if (!unpack_packets(&tga, image->pixels, count, error)) {
+    if (!decode_pixels(&tga, image, error)) {
         image_free(image);
         return false;
     }
@@ -568,14 +552,9 @@ static inline size_t pack_row_of(const uint8_t *row, size_t width, uint8_t *equa
 
 static size_t pack_row(const uint8_t *row, size_t width, size_t pixel_size, uint8_t *equal,
                        uint8_t *out) {
-    switch (pixel_size) {
-    case 1:
-        return pack_row_of(row, width, equal, out, 1);
-    case 3:
-        return pack_row_of(row, width, equal, out, 3);
-    default:
-        return pack_row_of(row, width, equal, out, 4);
-    }
+    return pixel_size == 1   ? pack_row_of(row, width, equal, out, 1)
+           : pixel_size == 3 ? pack_row_of(row, width, equal, out, 3)
+                             : pack_row_of(row, width, equal, out, 4);
 }
 
 static void put_u16(uint8_t *bytes, size_t value) {
