@@ -23,9 +23,17 @@ static void *allocate_lines(size_t height, size_t row) {
     return lines > 0 ? aligned_alloc(CACHE_LINE, lines * CACHE_LINE) : NULL;
 }
 
-/* As image_create(); but where the caller sets all pixels, none is cleared before. */
-static bool create(struct image *image, size_t width, size_t height, enum image_format format,
-                   bool cleared, struct error *error) {
+/* Bytes of a row and of the whole image. */
+static size_t row_size(const struct image *image) {
+    return image->width * (size_t)image->format;
+}
+
+static size_t image_size(const struct image *image) {
+    return image->height * row_size(image);
+}
+
+bool image_create_unset(struct image *image, size_t width, size_t height, enum image_format format,
+                        struct error *error) {
     assert(format == IMAGE_GREY || format == IMAGE_BGR || format == IMAGE_BGRA);
     *image = (struct image){0};
     if (width < 1 || height < 1 || width > IMAGE_SIZE_LIMIT || height > IMAGE_SIZE_LIMIT) {
@@ -38,9 +46,6 @@ static bool create(struct image *image, size_t width, size_t height, enum image_
         return error_set(error, "out of memory for an image of %zux%zu pixels", width, height);
     }
     ask_for_large_pages(pixels, height * row);
-    if (cleared) {
-        memset(pixels, 0, height * row);
-    }
     image->width = width;
     image->height = height;
     image->format = format;
@@ -50,21 +55,16 @@ static bool create(struct image *image, size_t width, size_t height, enum image_
 
 bool image_create(struct image *image, size_t width, size_t height, enum image_format format,
                   struct error *error) {
-    return create(image, width, height, format, true, error);
+    if (!image_create_unset(image, width, height, format, error)) {
+        return false;
+    }
+    memset(image->pixels, 0, image_size(image));
+    return true;
 }
 
 void image_free(struct image *image) {
     free(image->pixels);
     *image = (struct image){0};
-}
-
-/* Bytes of a row and of the whole image. */
-static size_t row_size(const struct image *image) {
-    return image->width * (size_t)image->format;
-}
-
-static size_t image_size(const struct image *image) {
-    return image->height * row_size(image);
 }
 
 static bool is_inside(const struct image *image, int x, int y) {
@@ -476,7 +476,7 @@ bool tga_decode(struct image *image, const void *data, size_t size, struct error
     tga.color_depth = tga.type == TGA_COLOR_MAPPED ? tga.map_depth : tga.depth;
     tga.format = tga_format(&tga);
     if (!skip_to_pixels(&tga, error) || !check_tga_size(&tga, error) ||
-        !create(image, tga.width, tga.height, tga.format, false, error)) {
+        !image_create_unset(image, tga.width, tga.height, tga.format, error)) {
         return false;
     }
     if (!decode_pixels(&tga, image, error)) {
