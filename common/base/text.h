@@ -103,12 +103,6 @@ static inline bool text_is_word_end(const struct text *text, const char *p) {
            (((unsigned char)*p < ' ' || *p == '\\') && text_is_rare_word_end(text, p));
 }
 
-/* Four bytes as a number, the first one lowest. Compilers know this form as one instruction. */
-static inline uint32_t load_u32(const char *p) {
-    const unsigned char *bytes = (const unsigned char *)p;
-    return bytes[0] | (uint32_t)bytes[1] << 8 | (uint32_t)bytes[2] << 16 | (uint32_t)bytes[3] << 24;
-}
-
 /* Over digits, which are put behind those in `value` (and overflow where they are too many). Four
  * at once, since most numbers of most files have so many behind the point. */
 static inline const char *text_read_digits(const char *p, const char *end, uint64_t *value) {

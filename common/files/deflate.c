@@ -8,7 +8,6 @@
  */
 #include "files/deflate.h"
 
-#include <assert.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
@@ -283,9 +282,7 @@ static bool write_block(struct compressor *c, bool last) {
 
 /* The four bytes as a number, the same on every machine, so that every machine finds the same. */
 static uint32_t hash_at(const uint8_t *bytes) {
-    uint32_t word =
-        bytes[0] | (uint32_t)bytes[1] << 8 | (uint32_t)bytes[2] << 16 | (uint32_t)bytes[3] << 24;
-    return (uint32_t)(word * 2654435761u) >> (32 - HASH_BITS);
+    return (uint32_t)(load_u32(bytes) * 2654435761u) >> (32 - HASH_BITS);
 }
 
 /* Enter all positions before `end` into the chains. */

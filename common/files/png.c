@@ -143,7 +143,7 @@ static void filter_row(const unsigned filter, const uint8_t *row, const uint8_t 
 /* Undo a filter. It and `step` are constants where this is called. */
 static inline void unfilter_bytes(const unsigned filter, uint8_t *restrict row,
                                   const uint8_t *restrict above, size_t size, const size_t step) {
-    for (size_t i = 0; i < step; i++) {
+    for (size_t i = 0; i < step && i < size; i++) {
         row[i] = (uint8_t)(row[i] + predict(filter, 0, above[i], 0));
     }
     for (size_t i = step; i < size; i++) {
