@@ -74,7 +74,7 @@ static inline bool word_is(struct word word, const char *string) {
  * subnormal; the sign of zero is kept. False for anything else ("nan" and "inf" too). */
 bool word_to_double(struct word word, double *value);
 
-/* The whole word as a decimal integer; false for anything else or outside 64 bits. */
+/* The whole word as a decimal integer, cut to 64 bits; false for anything else. */
 bool word_to_integer(struct word word, int64_t *value);
 
 /* ---- For readers that go character by character ---- */

@@ -26,20 +26,6 @@ bool reader_next_word(struct model_reader *reader, struct word *word) {
     return word->length > 0 || reader_next_line(reader, word);
 }
 
-bool reader_parse_index(struct word word, int64_t *index) {
-    if (word_to_integer(word, index)) {
-        return true;
-    }
-    size_t sign = word.length > 0 && (word.start[0] == '-' || word.start[0] == '+');
-    for (size_t i = sign; i < word.length; i++) {
-        if (word.start[i] < '0' || word.start[i] > '9') {
-            return false;
-        }
-    }
-    *index = word.length > sign && word.start[0] == '-' ? INT64_MIN : INT64_MAX;
-    return word.length > sign;
-}
-
 /* Words by which C libraries write what is no number. */
 static bool names_no_number(struct word word) {
     size_t sign = word.length > 0 && (word.start[0] == '-' || word.start[0] == '+');

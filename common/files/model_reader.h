@@ -71,9 +71,6 @@ bool reader_parse_number(struct model_reader *reader, struct word word, enum rea
 bool reader_read_numbers(struct model_reader *reader, size_t finite,
                          struct reader_numbers *numbers);
 
-/* A decimal integer; one outside 64 bits becomes the nearest that fits, which no file can hold. */
-bool reader_parse_index(struct word word, int64_t *index);
-
 /* Note the line of the current statement, unless the model has that warning already. */
 void reader_warn(struct model_reader *reader, enum model_warning warning);
 

@@ -73,7 +73,7 @@ static bool peek_keyword(const void *data, size_t size, struct word *next) {
         word = text_next_word(&text);
     }
     *next = text_next_word(&text);
-    return parse_keyword(word, &kind);
+    return word.length > 0 && parse_keyword(word, &kind);
 }
 
 bool off_recognize(const void *data, size_t size) {
@@ -121,7 +121,7 @@ static bool skip_edges(struct model_reader *reader, struct off_guess guess, bool
     if (word.length == 0 && !reader_next_word(reader, &word)) {
         return true;
     }
-    return reader_parse_index(word, &ignored) ||
+    return word_to_integer(word, &ignored) ||
            text_error(reader->error, reader->line, "'%s' is not a number of edges",
                       word_show(word).text);
 }
@@ -239,7 +239,7 @@ static bool read_corner(struct model_reader *reader, const struct off_kind *kind
                         struct word word) {
     size_t vertices = reader->model->position_count;
     int64_t index;
-    if (!reader_parse_index(word, &index)) {
+    if (!word_to_integer(word, &index)) {
         return text_error(reader->error, reader->line, "'%s' is not the number of a vertex",
                           word_show(word).text);
     }
@@ -273,7 +273,7 @@ static bool are_whole(struct text text) {
     int64_t ignored;
     do {
         word = text_next_word(&text);
-    } while (reader_parse_index(word, &ignored));
+    } while (word_to_integer(word, &ignored));
     return word.length == 0;
 }
 
