@@ -120,16 +120,12 @@ static inline void store_colors(uint8_t *pixel, enum image_format format, struct
 /* `count` pixels become `color`: the format is asked once and not for each of them. */
 static void fill_pixels(uint8_t *pixel, enum image_format format, struct color color,
                         size_t count) {
-    switch (format) {
-    case IMAGE_GREY:
+    if (format == IMAGE_GREY) {
         store_colors(pixel, IMAGE_GREY, color, count);
-        break;
-    case IMAGE_BGR:
+    } else if (format == IMAGE_BGR) {
         store_colors(pixel, IMAGE_BGR, color, count);
-        break;
-    case IMAGE_BGRA:
+    } else {
         store_colors(pixel, IMAGE_BGRA, color, count);
-        break;
     }
 }
 

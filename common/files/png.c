@@ -172,19 +172,14 @@ static inline void unfilter_row_of(unsigned filter, uint8_t *row, const uint8_t 
 /* In place. Compilers make a loop for each filter and each of the usual sizes of pixels. */
 static void unfilter_row(unsigned filter, uint8_t *row, const uint8_t *above, size_t size,
                          size_t step) {
-    switch (step) {
-    case 1:
+    if (step == 1) {
         unfilter_row_of(filter, row, above, size, 1);
-        break;
-    case 3:
+    } else if (step == 3) {
         unfilter_row_of(filter, row, above, size, 3);
-        break;
-    case 4:
+    } else if (step == 4) {
         unfilter_row_of(filter, row, above, size, 4);
-        break;
-    default:
+    } else {
         unfilter_row_of(filter, row, above, size, step);
-        break;
     }
 }
 
