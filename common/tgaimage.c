@@ -495,8 +495,7 @@ static inline bool same_as_next(const uint8_t *row, size_t x, const size_t size)
 /* One row as packets; returns their size. `out` has room for the row and one byte per 128 pixels,
  * which is the worst case. A run packet between two raw ones costs two heads, so two equal grey
  * pixels are not worth one, and none is begun just before the limit. */
-static inline size_t pack_row_of(const uint8_t *row, size_t width, uint8_t *out,
-                                 const size_t size) {
+static inline size_t pack_row(const uint8_t *row, size_t width, uint8_t *out, const size_t size) {
     const size_t worth = size == 1 ? 3 : 2;
     uint8_t *next = out;
     for (size_t x = 0; x < width;) {
@@ -521,12 +520,6 @@ static inline size_t pack_row_of(const uint8_t *row, size_t width, uint8_t *out,
     return (size_t)(next - out);
 }
 
-static size_t pack_row(const uint8_t *row, size_t width, size_t pixel_size, uint8_t *out) {
-    return pixel_size == 1   ? pack_row_of(row, width, out, 1)
-           : pixel_size == 3 ? pack_row_of(row, width, out, 3)
-                             : pack_row_of(row, width, out, 4);
-}
-
 static void put_u16(uint8_t *bytes, size_t value) {
     bytes[0] = (uint8_t)(value & 255);
     bytes[1] = (uint8_t)(value >> 8);
@@ -545,10 +538,13 @@ static void put_tga_header(uint8_t *header, const struct image *image, bool run_
 /* All rows as packets after what is in `out`, which has room for the raw pixels and one row more.
  * False when they come out larger than the raw pixels. */
 static bool pack_rows(const struct image *image, struct bytes *out) {
-    size_t raw_end = out->size + image_size(image);
+    size_t raw_end = out->size + image_size(image), width = image->width;
     for (size_t y = 0; y < image->height; y++) {
         const uint8_t *row = image->pixels + y * row_size(image);
-        out->size += pack_row(row, image->width, (size_t)image->format, out->data + out->size);
+        uint8_t *end = out->data + out->size;
+        out->size += image->format == IMAGE_GREY  ? pack_row(row, width, end, 1)
+                     : image->format == IMAGE_BGR ? pack_row(row, width, end, 3)
+                                                  : pack_row(row, width, end, 4);
         if (out->size > raw_end) {
             return false;
         }
