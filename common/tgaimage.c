@@ -488,32 +488,58 @@ bool tga_decode(struct image *image, const void *data, size_t size, struct error
     return true;
 }
 
-static inline bool same_as_next(const uint8_t *row, size_t x, const size_t size) {
-    return memcmp(row + x * size, row + (x + 1) * size, size) == 0;
+/* Is pixel x equal to pixel x + 1? For every x of a row but the last, 1 or 0. `size` is a constant
+ * where this is called. */
+static inline void compare_neighbours(const uint8_t *restrict row, size_t width,
+                                      uint8_t *restrict equal, const size_t size) {
+    for (size_t x = 0; x + 1 < width; x++) {
+        uint8_t different = 0;
+        for (size_t c = 0; c < size; c++) {
+            different |= row[x * size + c] ^ row[(x + 1) * size + c];
+        }
+        equal[x] = different == 0;
+    }
+}
+
+/* How many of the first `count` pixels come before one that differs from the next. */
+static size_t equal_pixels(const uint8_t *equal, size_t count) {
+    const uint8_t *other = memchr(equal, 0, count);
+    return other == NULL ? count : (size_t)(other - equal);
+}
+
+/* How many come before a run of `worth` pixels, which is the least that is worth its own packet. */
+static size_t pixels_before_run(const uint8_t *equal, size_t count, size_t worth) {
+    const uint8_t *run = equal, *end = equal + count;
+    while ((run = memchr(run, 1, (size_t)(end - run))) != NULL) {
+        if (run[worth - 2] != 0) { /* where two are enough, that is known */
+            return (size_t)(run - equal);
+        }
+        run++;
+    }
+    return count;
 }
 
 /* One row as packets; returns their size. `out` has room for the row and one byte per 128 pixels,
  * which is the worst case. A run packet between two raw ones costs two heads, so two equal grey
- * pixels are not worth one, and none is begun just before the limit. */
-static inline size_t pack_row(const uint8_t *row, size_t width, uint8_t *out, const size_t size) {
+ * pixels are not worth one. `equal` has room for a byte a pixel and is zero behind the row. */
+static inline size_t pack_row(const uint8_t *row, size_t width, uint8_t *equal, uint8_t *out,
+                              const size_t size) {
     const size_t worth = size == 1 ? 3 : 2;
     uint8_t *next = out;
+    compare_neighbours(row, width, equal, size);
     for (size_t x = 0; x < width;) {
         size_t limit = width - x < TGA_PACKET_LIMIT ? width - x : TGA_PACKET_LIMIT;
-        size_t look = limit > worth ? limit - worth : 0, count = 1, stored = 1;
-        const uint8_t *pixel = row + x * size;
-        size_t equal = count_equal(pixel, pixel + size, (limit - 1) * size) / size;
-        if (equal > 0) {
-            count += equal;
-        } else { /* up to the next run that is worth it */
-            while (count <= look && !(same_as_next(row, x + count, size) &&
-                                      (worth == 2 || same_as_next(row, x + count + 1, size)))) {
-                count++;
-            }
-            stored = count = count <= look ? count : limit;
+        size_t count = 1, stored = 1;
+        bool run = equal[x] != 0;
+        if (run) {
+            count += equal_pixels(equal + x, limit - 1);
+        } else { /* up to the next run that is worth it and begins well before the limit */
+            size_t look = limit > worth ? limit - worth : 0;
+            size_t before = pixels_before_run(equal + x + 1, look, worth);
+            stored = count = before < look ? 1 + before : limit;
         }
-        *next++ = (uint8_t)((equal > 0 ? 128 : 0) + count - 1);
-        memcpy(next, pixel, stored * size);
+        *next++ = (uint8_t)((run ? 128 : 0) + count - 1);
+        memcpy(next, row + x * size, stored * size);
         next += stored * size;
         x += count;
     }
@@ -537,14 +563,14 @@ static void put_tga_header(uint8_t *header, const struct image *image, bool run_
 
 /* All rows as packets after what is in `out`, which has room for the raw pixels and one row more.
  * False when they come out larger than the raw pixels. */
-static bool pack_rows(const struct image *image, struct bytes *out) {
+static bool pack_rows(const struct image *image, uint8_t *equal, struct bytes *out) {
     size_t raw_end = out->size + image_size(image), width = image->width;
     for (size_t y = 0; y < image->height; y++) {
         const uint8_t *row = image->pixels + y * row_size(image);
         uint8_t *end = out->data + out->size;
-        out->size += image->format == IMAGE_GREY  ? pack_row(row, width, end, 1)
-                     : image->format == IMAGE_BGR ? pack_row(row, width, end, 3)
-                                                  : pack_row(row, width, end, 4);
+        out->size += image->format == IMAGE_GREY  ? pack_row(row, width, equal, end, 1)
+                     : image->format == IMAGE_BGR ? pack_row(row, width, equal, end, 3)
+                                                  : pack_row(row, width, equal, end, 4);
         if (out->size > raw_end) {
             return false;
         }
@@ -558,12 +584,15 @@ bool tga_encode(const struct image *image, struct bytes *out, struct error *erro
     }
     /* A row of packets is at most twice as large as the row: one grey pixel in a packet. */
     size_t room = TGA_HEADER_SIZE + image_size(image) + 2 * row_size(image) + sizeof tga_footer;
-    if (!bytes_reserve(out, room)) {
+    uint8_t *equal = calloc(image->width + 2, 1);
+    if (equal == NULL || !bytes_reserve(out, room)) {
+        free(equal);
         return error_out_of_memory(error);
     }
     size_t start = out->size;
     out->size += TGA_HEADER_SIZE;
-    bool packed = pack_rows(image, out);
+    bool packed = pack_rows(image, equal, out);
+    free(equal);
     if (!packed) { /* noise: run-length coding would make it larger */
         out->size = start + TGA_HEADER_SIZE;
         memcpy(out->data + out->size, image->pixels, image_size(image));

@@ -7,7 +7,6 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
-#include <string.h>
 
 /* A growing block of bytes. All zero is a valid, empty block; `data` belongs to the block. */
 struct bytes {
@@ -37,18 +36,6 @@ static inline uint32_t load_u32(const void *data) {
 
 static inline uint64_t load_u64(const unsigned char *bytes) {
     return load_u32(bytes) | (uint64_t)load_u32(bytes + 4) << 32;
-}
-
-/* How many of the first `limit` bytes are equal before two differ. */
-static inline size_t count_equal(const unsigned char *a, const unsigned char *b, size_t limit) {
-    size_t count = 0;
-    while (count + 8 <= limit && memcmp(a + count, b + count, 8) == 0) {
-        count += 8;
-    }
-    while (count < limit && a[count] == b[count]) {
-        count++;
-    }
-    return count;
 }
 
 /* What printf would print, in memory that the caller frees; NULL when memory runs out. */

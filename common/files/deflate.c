@@ -251,7 +251,7 @@ static void write_tokens(const struct compressor *c, struct bit_writer *writer,
 
 /* Write the collected tokens as a block. False when memory runs out. */
 static bool write_block(struct compressor *c, bool last) {
-    struct block_codes codes;
+    struct block_codes codes = {0};
     if (!bytes_reserve(c->out, c->token_count * TOKEN_BYTES + HEADER_BYTES)) {
         return false;
     }
@@ -309,6 +309,17 @@ static void enter_match(struct compressor *c, size_t at, size_t length) {
     enter_positions(c, at + length);
 }
 
+static unsigned count_equal(const uint8_t *a, const uint8_t *b, unsigned limit) {
+    unsigned count = 0;
+    while (count + 8 <= limit && memcmp(a + count, b + count, 8) == 0) {
+        count += 8;
+    }
+    while (count < limit && a[count] == b[count]) {
+        count++;
+    }
+    return count;
+}
+
 /* Enter position `at` and find the longest earlier copy of what is there, among the newest
  * positions of its hash; the byte alone, if none is worth it. */
 static struct token find_token(struct compressor *c, size_t at) {
@@ -329,7 +340,7 @@ static struct token find_token(struct compressor *c, size_t at) {
         const uint8_t *there = here - distance;
         const unsigned tail = longest + 1 - HASH_BYTES; /* a longer match has these bytes too */
         if (memcmp(there + tail, here + tail, HASH_BYTES) == 0) {
-            unsigned equal = (unsigned)count_equal(there, here, limit);
+            unsigned equal = count_equal(there, here, limit);
             if (equal > longest) {
                 longest = equal;
                 token = (struct token){(uint16_t)distance, (uint16_t)equal};
