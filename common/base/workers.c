@@ -39,20 +39,10 @@ struct workers {
     worker_function *work;
     void *context;
     struct share share[THREAD_LIMIT]; /* of each worker */
-    atomic_ulong loop; /* its number, which tells a thread whether it knows it already */
-    bool open;         /* threads may still join */
-    atomic_size_t threads_at_work; /* without the one that calls */
+    atomic_ulong loop;            /* its number, which tells a thread whether it knows it already */
+    bool open;                    /* threads may still join */
+    atomic_ulong threads_at_work; /* without the one that calls */
 };
-
-static void do_share(struct workers *workers, struct share *share, size_t worker) {
-    for (;;) {
-        size_t index = atomic_fetch_add(&share->next, 1);
-        if (index >= share->end) {
-            return;
-        }
-        workers->work(workers->context, index, worker);
-    }
-}
 
 /* First its own share, then what the others have not begun. So in every loop, and in every frame, a
  * worker does much the same parts: what it reads is often in its own cache, and to fetch a line
@@ -60,27 +50,25 @@ static void do_share(struct workers *workers, struct share *share, size_t worker
 static void do_parts(struct workers *workers, size_t worker) {
     size_t count = workers->thread_count + 1;
     for (size_t i = 0; i < count; i++) {
-        do_share(workers, &workers->share[(worker + i) % count], worker);
+        struct share *share = &workers->share[(worker + i) % count];
+        for (size_t index = atomic_fetch_add(&share->next, 1); index < share->end;
+             index = atomic_fetch_add(&share->next, 1)) {
+            workers->work(workers->context, index, worker);
+        }
     }
 }
 
-static bool has_patience(const struct timespec *since) {
+static long long nanoseconds_since(const struct timespec *since) {
     struct timespec now;
     clock_gettime(CLOCK_MONOTONIC, &now);
-    return (now.tv_sec - since->tv_sec) * 1000000000LL + now.tv_nsec - since->tv_nsec < PATIENCE;
+    return (now.tv_sec - since->tv_sec) * 1000000000LL + now.tv_nsec - since->tv_nsec;
 }
 
-static void wait_for_loop(const struct workers *workers, unsigned long known) {
+/* Stay awake until the number is that, but not for long. */
+static void wait_awake(const atomic_ulong *number, unsigned long wanted) {
     struct timespec since;
     clock_gettime(CLOCK_MONOTONIC, &since);
-    while (atomic_load(&workers->loop) == known && has_patience(&since)) {
-    }
-}
-
-static void wait_for_threads(const struct workers *workers) {
-    struct timespec since;
-    clock_gettime(CLOCK_MONOTONIC, &since);
-    while (atomic_load(&workers->threads_at_work) > 0 && has_patience(&since)) {
+    while (atomic_load(number) != wanted && nanoseconds_since(&since) < PATIENCE) {
     }
 }
 
@@ -105,7 +93,7 @@ static void *thread_main(void *argument) {
             pthread_cond_signal(&workers->last_leaves);
         }
         pthread_mutex_unlock(&workers->mutex);
-        wait_for_loop(workers, known);
+        wait_awake(&workers->loop, known + 1);
         pthread_mutex_lock(&workers->mutex);
     }
     pthread_mutex_unlock(&workers->mutex);
@@ -161,10 +149,6 @@ void workers_free(struct workers *workers) {
     free(workers);
 }
 
-size_t workers_count(const struct workers *workers) {
-    return workers == NULL ? 1 : workers->thread_count + 1;
-}
-
 static void run_shared(struct workers *workers, size_t count, worker_function *work,
                        void *context) {
     pthread_mutex_lock(&workers->mutex);
@@ -183,7 +167,7 @@ static void run_shared(struct workers *workers, size_t count, worker_function *w
     pthread_mutex_lock(&workers->mutex);
     workers->open = false; /* a thread that wakes only now is late */
     pthread_mutex_unlock(&workers->mutex);
-    wait_for_threads(workers);
+    wait_awake(&workers->threads_at_work, 0);
     pthread_mutex_lock(&workers->mutex);
     while (workers->threads_at_work > 0) {
         pthread_cond_wait(&workers->last_leaves, &workers->mutex);
@@ -192,6 +176,10 @@ static void run_shared(struct workers *workers, size_t count, worker_function *w
 }
 
 #else
+
+struct workers {
+    size_t thread_count;
+};
 
 struct workers *workers_create(size_t thread_count) {
     (void)thread_count;
@@ -202,17 +190,16 @@ void workers_free(struct workers *workers) {
     (void)workers;
 }
 
-size_t workers_count(const struct workers *workers) {
-    (void)workers;
-    return 1;
-}
-
 static void run_shared(struct workers *workers, size_t count, worker_function *work,
                        void *context) {
     (void)workers, (void)count, (void)work, (void)context;
 }
 
 #endif
+
+size_t workers_count(const struct workers *workers) {
+    return workers == NULL ? 1 : workers->thread_count + 1;
+}
 
 void workers_run(struct workers *workers, size_t count, worker_function *work, void *context) {
     if (workers != NULL && count > 1) {
