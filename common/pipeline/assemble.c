@@ -386,7 +386,7 @@ static bool add_calls(struct frame *frame, struct error *error) {
     uint64_t *stats = frame->pipeline->stats;
     frame->round_block = frame->block_count;
     for (size_t i = frame->round.begin; i < frame->round.end; i++) {
-        struct recorded_call *call = frame->order[i].call;
+        struct recorded_call *call = frame->order[i];
         if (is_hidden(frame, &call->place)) {
             stats[STAT_CALLS_HIDDEN]++;
             stats[STAT_FACES_HIDDEN] += call->call.model->face_count;

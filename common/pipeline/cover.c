@@ -427,7 +427,7 @@ static void clear_image(const struct call_band *band, const uint32_t *last_touch
  * False where it has none in the band. */
 static bool next_call(struct call_band *band, size_t place) {
     const struct frame *frame = band->frame;
-    const struct recorded_call *call = frame->order[place].call;
+    const struct recorded_call *call = frame->order[place];
     size_t bands = band_count(frame), index = (size_t)band->rows.begin / BAND_HEIGHT;
     struct piece **next = band->scratch->pieces + band->numbers.end;
     for (size_t i = call->first_block; i < call->first_block + call->block_count; i++) {

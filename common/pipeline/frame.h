@@ -59,12 +59,6 @@ struct recorded_call {
     atomic_uint beyond;              /* the sides that any of its positions is beyond */
 };
 
-/* A call's place in the order of covering. */
-struct call_order {
-    double nearest;
-    struct recorded_call *call;
-};
-
 /* A position on the screen. */
 struct screen_position {
     struct fixed2 at;
@@ -152,7 +146,7 @@ struct frame {
     size_t uniforms_end, uniforms_capacity;
     bool discards; /* one of the shaders does */
     /* Ordered: */
-    struct call_order *order; /* the calls that may cover pixels, as they are covered */
+    struct recorded_call **order; /* the calls that may cover pixels, as they are covered */
     size_t order_count, order_capacity;
     bool reordered;           /* the nearest first */
     struct index_range round; /* of the order, what comes in this round */
