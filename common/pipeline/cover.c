@@ -486,7 +486,7 @@ static struct call_band begin_band(struct frame *frame, size_t index, size_t wor
         .rows = {bottom, height - bottom < BAND_HEIGHT ? height : bottom + BAND_HEIGHT},
         .visibility = &frame->visibility[frame->kept ? index : worker],
         .scratch = &frame->scratch[worker],
-        .stats = frame->band_stats[index],
+        .stats = frame->scratch[worker].stats,
     };
 }
 

@@ -91,7 +91,7 @@ struct block {
     uint32_t *sorted; /* indices of pieces, band after band: see `band_starts` of the frame */
     size_t piece_count, piece_capacity, band_capacity, sorted_capacity;
     struct span columns, rows; /* that the pieces may cover */
-    uint64_t stats[PIPELINE_STATS];
+    uint64_t *stats;           /* of the thread that assembles it */
 };
 
 /* ---- Bands ---- */
@@ -116,6 +116,8 @@ struct scratch {
     real *planes;             /* and their planes: see planes_of() */
     struct visibility before; /* where a shader discards: what was visible without its piece */
     size_t piece_capacity, fetched_capacity, visible_capacity, plane_capacity;
+    uint64_t stats[PIPELINE_STATS];
+    char apart[2 * CACHE_LINE]; /* from the next thread's */
 };
 
 /* A band that is drawn, one draw call after the other: what a shade_function works on. */
@@ -138,7 +140,6 @@ struct frame {
     struct image *image;
     size_t thread_count;     /* for workers_create() */
     struct workers *workers; /* NULL also where there are none */
-    bool has_workers;        /* they have been asked for */
     /* Recorded: */
     struct recorded_call *calls;
     size_t call_count, call_capacity;
@@ -166,13 +167,10 @@ struct frame {
     atomic_bool exhausted; /* a thread ran out of memory */
     /* Drawn: */
     struct visibility *visibility; /* one a thread or, if `kept`, one a band */
-    struct scratch *scratch;       /* one a thread */
-    uint64_t (*band_stats)[PIPELINE_STATS];
+    struct scratch *scratch;       /* one a thread; NULL before the first frame */
     size_t visibility_count, visibility_capacity;
-    size_t scratch_count, scratch_capacity, band_capacity;
     /* For CLEAR_LAST_FRAME: `touched` of all bands, and whose they are. */
     uint32_t *last_touched;
-    size_t touched_capacity;
     struct image last_image;
     bool knows_last; /* the image is that one */
 };
@@ -313,12 +311,6 @@ struct batch {
 void batch_classify(struct batch *batch, const struct draw_call *call, bool skip);
 
 /* ---- The stages ---- */
-
-static inline void pipeline_add_stats(struct frame *frame, const uint64_t stats[PIPELINE_STATS]) {
-    for (int i = 0; i < PIPELINE_STATS; i++) {
-        frame->pipeline->stats[i] += stats[i];
-    }
-}
 
 /* Find the calls that may cover pixels, and the order in which they are covered. */
 bool pipeline_order(struct frame *frame, struct error *error);
