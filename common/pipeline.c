@@ -28,19 +28,10 @@ bool pipeline_create(struct pipeline *pipeline, size_t width, size_t height, str
     return true;
 }
 
-static void visibility_free(struct visibility *visibility) {
-    free(visibility->depth);
-    free(visibility->number);
-    free(visibility->touched);
-    free(visibility->farthest);
-    *visibility = (struct visibility){0};
-}
-
-static void free_all_visibility(struct frame *frame) {
-    for (size_t i = 0; i < frame->visibility_count; i++) {
-        visibility_free(&frame->visibility[i]);
-    }
-    frame->visibility_count = 0;
+static void free_columns(struct frame *frame) {
+    free(frame->chunks);
+    frame->chunks = NULL;
+    frame->column_count = 0;
 }
 
 static void free_workers(struct frame *frame) {
@@ -49,7 +40,7 @@ static void free_workers(struct frame *frame) {
         free(frame->scratch[i].fetched);
         free(frame->scratch[i].visible);
         free(frame->scratch[i].planes);
-        visibility_free(&frame->scratch[i].before);
+        free(frame->scratch[i].before);
     }
     free(frame->scratch);
     frame->scratch = NULL;
@@ -66,7 +57,7 @@ static void free_all_blocks(struct frame *frame) {
 }
 
 static void frame_free(struct frame *frame) {
-    free_all_visibility(frame);
+    free_columns(frame);
     free_workers(frame);
     free_all_blocks(frame);
     free(frame->calls);
@@ -77,7 +68,6 @@ static void frame_free(struct frame *frame) {
     free(frame->beyonds);
     free(frame->blocks);
     free(frame->band_starts);
-    free(frame->visibility);
     free(frame->last_touched);
     free(frame);
 }
@@ -90,28 +80,19 @@ void pipeline_free(struct pipeline *pipeline) {
     *pipeline = (struct pipeline){0};
 }
 
-/* Room for a band, in which nothing is visible yet; left as it was when memory runs out. */
-static bool visibility_create(struct visibility *visibility, const struct frame *frame) {
-    size_t columns = chunk_columns(frame), pixels = columns * CHUNK * BAND_HEIGHT;
-    /* Behind the last number one more is read: see find_runs(). */
-    size_t depth_size = pixels * sizeof *visibility->depth;
-    size_t number_size = (pixels + CHUNK) * sizeof *visibility->number;
-    struct visibility made = {
-        .depth = aligned_alloc(CACHE_LINE, depth_size),
-        .number = aligned_alloc(CACHE_LINE, number_size),
-        .touched = calloc(columns, sizeof *made.touched),
-        .farthest = malloc(columns * BAND_TILES * sizeof *made.farthest),
-    };
-    if (made.depth == NULL || made.number == NULL || made.touched == NULL ||
-        made.farthest == NULL) {
-        visibility_free(&made);
-        return false;
+/* Room for that many columns, in which nothing is visible yet. */
+static bool reserve_columns(struct frame *frame, size_t count) {
+    if (count <= frame->column_count) {
+        return true;
     }
-    depth_clear(made.depth, pixels);
-    memset(made.number, 0, number_size);
-    depth_clear(made.farthest, columns * BAND_TILES);
-    *visibility = made;
-    return true;
+    free_columns(frame);
+    frame->chunks = aligned_alloc(CACHE_LINE, count * sizeof *frame->chunks);
+    for (size_t i = 0; frame->chunks != NULL && i < count; i++) {
+        frame->chunks[i].touched = UINT32_MAX;
+        column_clear(&frame->chunks[i]);
+    }
+    frame->column_count = frame->chunks != NULL ? count : 0;
+    return frame->chunks != NULL;
 }
 
 /* Memory for the pieces of one band: fewer than all. What is not used is not touched. */
@@ -126,8 +107,8 @@ static bool scratch_reserve(struct scratch *scratch, const struct frame *frame) 
                         sizeof *scratch->visible) &&
            array_extend(&scratch->planes, &scratch->plane_capacity, visible,
                         PLANES_SIZE(VARYING_LIMIT) * sizeof *scratch->planes) &&
-           (!frame->discards || scratch->before.depth != NULL ||
-            visibility_create(&scratch->before, frame));
+           (!frame->discards || array_extend(&scratch->before, &scratch->before_capacity,
+                                             chunk_columns(frame), sizeof *scratch->before));
 }
 
 /* ---- Draw calls ---- */
@@ -244,13 +225,8 @@ static void begin_frame(struct frame *frame, const struct pipeline *p, struct im
  * where it is kept from round to round, for each band. */
 static bool reserve_bands(struct frame *frame, struct error *error) {
     size_t threads = workers_count(frame->workers);
-    size_t count = frame->kept ? band_count(frame) : threads;
-    bool reserved = array_extend(&frame->visibility, &frame->visibility_capacity, count,
-                                 sizeof *frame->visibility);
-    for (size_t i = frame->visibility_count; reserved && i < count; i++) {
-        reserved = visibility_create(&frame->visibility[i], frame);
-        frame->visibility_count += reserved;
-    }
+    size_t bands = frame->kept ? band_count(frame) : threads;
+    bool reserved = reserve_columns(frame, bands * chunk_columns(frame));
     for (size_t i = 0; reserved && i < threads; i++) {
         reserved = scratch_reserve(&frame->scratch[i], frame);
     }
@@ -283,7 +259,7 @@ bool pipeline_finish(struct pipeline *p, struct image *image, struct error *erro
     }
     begin_frame(frame, p, image);
     if (!pipeline_order(frame, error) || !draw_rounds(frame, error)) {
-        free_all_visibility(frame); /* of some bands, perhaps, there is something in it */
+        free_columns(frame); /* in some there is something, perhaps */
         return false;
     }
     workers_run(frame->workers, band_count(frame), pipeline_draw_band, frame);

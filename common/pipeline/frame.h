@@ -96,14 +96,28 @@ struct block {
 
 /* ---- Bands ---- */
 
-/* What is visible of a band, so far. A thread's, for one band after the other; or, where a frame
- * takes several rounds, a band's. */
-struct visibility {
-    double *depth;     /* of each pixel, at place_in_band(); minus infinity: nothing is drawn */
-    uint32_t *number;  /* the same, of its piece: see struct scratch; 0 where nothing is drawn */
-    uint32_t *touched; /* of each column of chunks, bit i: something may be drawn in row i */
-    double *farthest;  /* of each tile, those of a column together: at most every pixel's depth */
+/* What is visible, so far, of a band's chunks in one column. (Behind the last number one more is read:
+ * see find_runs().) */
+struct column {
+    double depth[BAND_HEIGHT][CHUNK];    /* minus infinity: nothing is drawn */
+    uint32_t number[BAND_HEIGHT][CHUNK]; /* of the piece: see struct scratch; 0: nothing is drawn */
+    double farthest[BAND_TILES];         /* of each tile: at most every pixel's depth */
+    uint32_t touched;                    /* bit i: something may be drawn in row i */
+    char apart[CACHE_LINE - BAND_TILES * sizeof(double) - sizeof(uint32_t)];
 };
+
+/* Make it what it was: nothing is drawn. Only what was touched has changed. */
+static inline void column_clear(struct column *column) {
+    for (int row = 0; column->touched != 0; row++, column->touched >>= 1) {
+        for (int i = 0; (column->touched & 1) != 0 && i < CHUNK; i++) {
+            column->depth[row][i] = -INFINITY;
+            column->number[row][i] = 0;
+        }
+    }
+    for (int tile = 0; tile < BAND_TILES; tile++) {
+        column->farthest[tile] = -INFINITY;
+    }
+}
 
 /* The memory of a thread, for one band after the other. The pieces of a band have numbers from 1
  * on, one draw call's after the other's. */
@@ -112,10 +126,10 @@ struct scratch {
     /* By number: 0 while nothing of the piece is visible, otherwise 1; and once its draw call is
      * shaded, what was fetched for it: the colour of a flat piece, or where its planes are. */
     uint32_t *fetched;
-    uint32_t *visible;        /* the numbers of a draw call's visible pieces */
-    real *planes;             /* and their planes: see planes_of() */
-    struct visibility before; /* where a shader discards: what was visible without its piece */
-    size_t piece_capacity, fetched_capacity, visible_capacity, plane_capacity;
+    uint32_t *visible;     /* the numbers of a draw call's visible pieces */
+    real *planes;          /* and their planes: see planes_of() */
+    struct column *before; /* where a shader discards: what was visible without its piece */
+    size_t piece_capacity, fetched_capacity, visible_capacity, plane_capacity, before_capacity;
     uint64_t stats[PIPELINE_STATS];
     char apart[2 * CACHE_LINE]; /* from the next thread's */
 };
@@ -124,7 +138,7 @@ struct scratch {
 struct call_band {
     const struct frame *frame;
     struct span rows;
-    struct visibility *visibility;
+    struct column *chunks; /* of the whole band */
     struct scratch *scratch;
     uint64_t *stats;
     const struct recorded_call *call;
@@ -166,9 +180,9 @@ struct frame {
     size_t sorted_count;   /* entries of all `sorted` */
     atomic_bool exhausted; /* a thread ran out of memory */
     /* Drawn: */
-    struct visibility *visibility; /* one a thread or, if `kept`, one a band */
-    struct scratch *scratch;       /* one a thread; NULL before the first frame */
-    size_t visibility_count, visibility_capacity;
+    struct column *chunks;   /* of one band a thread or, if `kept`, of all bands */
+    struct scratch *scratch; /* one a thread; NULL before the first frame */
+    size_t column_count;
     /* For CLEAR_LAST_FRAME: `touched` of all bands, and whose they are. */
     uint32_t *last_touched;
     struct image last_image;
@@ -186,12 +200,6 @@ static inline size_t band_count(const struct frame *frame) {
 
 static inline size_t chunk_columns(const struct frame *frame) {
     return (frame->pipeline->width + CHUNK - 1) / CHUNK;
-}
-
-/* Where a pixel of a band is in memory: chunk above chunk, and column of chunks next to column. So
- * what lies above is near, and as many rows as are wanted are read in turn. */
-static inline size_t place_in_band(int row, int x) {
-    return ((size_t)x / CHUNK * BAND_HEIGHT + (size_t)row) * CHUNK + (size_t)x % CHUNK;
 }
 
 static inline struct span span_around(struct span a, struct span b) {
@@ -226,11 +234,12 @@ static inline struct span rows_of(const struct rectangle *viewport) {
 
 /* Is everything in a place behind what is shown in every tile that it reaches? Rows are counted
  * from the lowest one of the first of these bands. */
-static inline bool is_behind(const struct visibility *bands, const struct screen_place *place) {
+static inline bool is_behind(const struct frame *frame, const struct column *bands,
+                             const struct screen_place *place) {
     for (int y = place->rows.begin / TILE_HEIGHT; y * TILE_HEIGHT < place->rows.end; y++) {
-        const double *farthest = bands[y / BAND_TILES].farthest + y % BAND_TILES;
+        const struct column *band = bands + (size_t)(y / BAND_TILES) * chunk_columns(frame);
         for (int x = place->columns.begin / CHUNK; x * CHUNK < place->columns.end; x++) {
-            if (!(place->nearest < farthest[x * BAND_TILES])) {
+            if (!(place->nearest < band[x].farthest[y % BAND_TILES])) {
                 return false;
             }
         }
@@ -240,7 +249,8 @@ static inline bool is_behind(const struct visibility *bands, const struct screen
 
 /* The same, of what the rounds before this one have covered. */
 static inline bool is_hidden(const struct frame *frame, const struct screen_place *place) {
-    return frame->round.begin > 0 && !place_is_empty(place) && is_behind(frame->visibility, place);
+    return frame->round.begin > 0 && !place_is_empty(place) &&
+           is_behind(frame, frame->chunks, place);
 }
 
 /* ---- Positions ---- */

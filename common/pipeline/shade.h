@@ -326,13 +326,14 @@ KERNEL bool gather_pixels(const struct call_band *band, const struct shader *sha
  * Returns the others. */
 KERNEL lanes_int take_back(const struct call_band *band, const struct pixels *pixels,
                            lanes_mask kept) {
-    const struct visibility *now = band->visibility, *before = &band->scratch->before;
-    size_t place = (size_t)(pixels->number - now->number);
+    size_t column = (size_t)pixels->x / CHUNK, first = (size_t)pixels->x % CHUNK;
+    int row = pixels->y - band->rows.begin;
+    struct column *now = &band->chunks[column], *before = &band->scratch->before[column];
     lanes_int drawn = pixels->drawn;
     for (int i = 0; i < LANES; i++) {
         if (drawn[i] != 0 && !lanes_is_set(kept, i)) {
-            now->depth[place + (size_t)i] = before->depth[place + (size_t)i];
-            now->number[place + (size_t)i] = before->number[place + (size_t)i];
+            now->depth[row][first + (size_t)i] = before->depth[row][first + (size_t)i];
+            now->number[row][first + (size_t)i] = before->number[row][first + (size_t)i];
             drawn[i] = 0;
         }
     }
@@ -357,8 +358,9 @@ KERNEL void shade_pixels(const struct call_band *band, const struct shader *shad
  * with texels that are on their way. (Colours wait for nothing: at once, in 0.94 of the time of a
  * frame.) Returns how many pixels there were in each column. */
 KERNEL lanes_int shade_columns(const struct call_band *band, const struct shader *shader, int x) {
-    const uint32_t *number = band->visibility->number + place_in_band(0, x);
-    uint32_t touched = band->visibility->touched[x / CHUNK];
+    const struct column *column = &band->chunks[(size_t)x / CHUNK];
+    const uint32_t *number = column->number[0] + x % CHUNK;
+    uint32_t touched = column->touched;
     struct pixels pixels[BAND_HEIGHT];
     int count = 0;
     lanes_int shaded = {0};
