@@ -12,10 +12,7 @@ bool pipeline_create(struct pipeline *pipeline, size_t width, size_t height, str
                          DRAW_LIMIT);
     }
     struct frame *frame = calloc(1, sizeof *frame);
-    pipeline->width = width;
-    pipeline->height = height;
-    pipeline->skip = true;
-    pipeline->frame = frame;
+    *pipeline = (struct pipeline){.width = width, .height = height, .skip = true, .frame = frame};
     if (frame != NULL) {
         frame->pipeline = pipeline;
         frame->last_touched =
@@ -48,33 +45,30 @@ static void free_workers(struct frame *frame) {
     frame->workers = NULL;
 }
 
-static void free_all_blocks(struct frame *frame) {
+static void free_blocks(struct frame *frame) {
     for (size_t i = 0; i < frame->blocks_made; i++) {
         free(frame->blocks[i].pieces);
         free(frame->blocks[i].bands);
         free(frame->blocks[i].sorted);
     }
-}
-
-static void frame_free(struct frame *frame) {
-    free_columns(frame);
-    free_workers(frame);
-    free_all_blocks(frame);
-    free(frame->calls);
-    free(frame->uniforms);
-    free(frame->order);
-    free(frame->positions);
-    free(frame->recip_w);
-    free(frame->beyonds);
     free(frame->blocks);
-    free(frame->band_starts);
-    free(frame->last_touched);
-    free(frame);
 }
 
 void pipeline_free(struct pipeline *pipeline) {
-    if (pipeline->frame != NULL) {
-        frame_free(pipeline->frame);
+    struct frame *frame = pipeline->frame;
+    if (frame != NULL) {
+        free_columns(frame);
+        free_workers(frame);
+        free_blocks(frame);
+        free(frame->calls);
+        free(frame->uniforms);
+        free(frame->order);
+        free(frame->positions);
+        free(frame->recip_w);
+        free(frame->beyonds);
+        free(frame->band_starts);
+        free(frame->last_touched);
+        free(frame);
     }
     free(pipeline->depth);
     *pipeline = (struct pipeline){0};

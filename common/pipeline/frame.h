@@ -1,14 +1,6 @@
 /*
  * Private to the pipeline: a frame, and all else that its stages know of each other. The table in
- * pipeline.h lists the stages in their order. Each file calls only files below it:
- *
- *     pipeline.c                  records draw calls, draws the frame
- *     order.c                     which calls need not be drawn, and the order of the others
- *     assemble.c                  from models to pieces
- *     clip.c, classify.c          what becomes of a face
- *     cover.c                     covers the pixels of a band, and has them shaded
- *     shade.h, planes.h           the loops that SHADER() compiles
- *     frame.h, vectors.h          what all share
+ * pipeline.h lists the stages in their order, and their files.
  */
 #ifndef COMMON_PIPELINE_FRAME_H
 #define COMMON_PIPELINE_FRAME_H
