@@ -307,6 +307,18 @@ static void shade(const struct call_band *band) {
     }
 }
 
+/* Keep what is visible in some rows of the columns, for what is discarded. */
+static void keep_before(const struct call_band *band, struct span rows) {
+    int begin = rows.begin - band->rows.begin;
+    size_t count = (size_t)(rows.end - rows.begin) * CHUNK;
+    for (int x = band->columns.begin / CHUNK; x * CHUNK < band->columns.end; x++) {
+        const struct column *now = &band->chunks[x];
+        struct column *before = &band->scratch->before[x];
+        memcpy(before->depth[begin], now->depth[begin], count * sizeof now->depth[0][0]);
+        memcpy(before->number[begin], now->number[begin], count * sizeof now->number[0][0]);
+    }
+}
+
 /* Cover and shade each piece before the next one is covered. */
 static void draw_pieces(struct call_band *band) {
     const struct span numbers = band->numbers;
@@ -316,9 +328,7 @@ static void draw_pieces(struct call_band *band) {
         band->columns = span_overlap(box_centers(c[0].x, c[1].x, c[2].x),
                                      columns_of(&band->call->call.viewport));
         if (band->call->shader->discards) {
-            int first = band->columns.begin / CHUNK, last = (band->columns.end - 1) / CHUNK;
-            memcpy(band->scratch->before + first, band->chunks + first,
-                   (size_t)(last + 1 - first) * sizeof *band->chunks);
+            keep_before(band, span_overlap(box_centers(c[0].y, c[1].y, c[2].y), band->rows));
         }
         cover_piece(band, (uint32_t)i + 1, (struct cover_how){false, true});
         band->scratch->fetched[i + 1] = 1;

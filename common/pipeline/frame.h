@@ -88,8 +88,8 @@ struct block {
 
 /* ---- Bands ---- */
 
-/* What is visible, so far, of a band's chunks in one column. (Behind the last number one more is read:
- * see find_runs().) */
+/* What is visible, so far, of a band's chunks in one column. (Behind the last number, one more is
+ * read: see find_runs().) */
 struct column {
     double depth[BAND_HEIGHT][CHUNK];    /* minus infinity: nothing is drawn */
     uint32_t number[BAND_HEIGHT][CHUNK]; /* of the piece: see struct scratch; 0: nothing is drawn */
