@@ -12,100 +12,81 @@ bool pipeline_create(struct pipeline *pipeline, size_t width, size_t height, str
                          DRAW_LIMIT);
     }
     struct frame *frame = calloc(1, sizeof *frame);
-    if (frame == NULL) {
+    *pipeline = (struct pipeline){.width = width, .height = height, .skip = true, .frame = frame};
+    if (frame != NULL) {
+        frame->pipeline = pipeline;
+        frame->last_touched =
+            calloc(band_count(frame) * chunk_columns(frame), sizeof *frame->last_touched);
+    }
+    if (frame == NULL || frame->last_touched == NULL) {
+        pipeline_free(pipeline);
         return error_out_of_memory(error);
     }
-    pipeline->width = width;
-    pipeline->height = height;
-    pipeline->skip = true;
-    pipeline->frame = frame;
     return true;
 }
 
-static void visibility_free(struct visibility *visibility) {
-    free(visibility->depth);
-    free(visibility->number);
-    free(visibility->touched);
-    free(visibility->farthest);
-    *visibility = (struct visibility){0};
+static void free_columns(struct frame *frame) {
+    free(frame->chunks);
+    frame->chunks = NULL;
+    frame->column_count = 0;
 }
 
-static void free_all_visibility(struct frame *frame) {
-    for (size_t i = 0; i < frame->visibility_count; i++) {
-        visibility_free(&frame->visibility[i]);
-    }
-    frame->visibility_count = 0;
-}
-
-static void free_all_scratch(struct frame *frame) {
-    for (size_t i = 0; i < frame->scratch_count; i++) {
+static void free_workers(struct frame *frame) {
+    for (size_t i = 0; frame->scratch != NULL && i < workers_count(frame->workers); i++) {
         free(frame->scratch[i].pieces);
         free(frame->scratch[i].fetched);
         free(frame->scratch[i].visible);
         free(frame->scratch[i].planes);
-        visibility_free(&frame->scratch[i].before);
+        free(frame->scratch[i].before);
     }
-    frame->scratch_count = 0;
+    free(frame->scratch);
+    frame->scratch = NULL;
+    workers_free(frame->workers);
+    frame->workers = NULL;
 }
 
-static void free_all_blocks(struct frame *frame) {
+static void free_blocks(struct frame *frame) {
     for (size_t i = 0; i < frame->blocks_made; i++) {
         free(frame->blocks[i].pieces);
         free(frame->blocks[i].bands);
         free(frame->blocks[i].sorted);
     }
-}
-
-static void frame_free(struct frame *frame) {
-    free_all_visibility(frame);
-    free_all_scratch(frame);
-    free_all_blocks(frame);
-    workers_free(frame->workers);
-    free(frame->calls);
-    free(frame->uniforms);
-    free(frame->order);
-    free(frame->positions);
-    free(frame->recip_w);
-    free(frame->beyonds);
     free(frame->blocks);
-    free(frame->band_starts);
-    free(frame->visibility);
-    free(frame->scratch);
-    free(frame->band_stats);
-    free(frame->last_touched);
-    free(frame);
 }
 
 void pipeline_free(struct pipeline *pipeline) {
-    if (pipeline->frame != NULL) {
-        frame_free(pipeline->frame);
+    struct frame *frame = pipeline->frame;
+    if (frame != NULL) {
+        free_columns(frame);
+        free_workers(frame);
+        free_blocks(frame);
+        free(frame->calls);
+        free(frame->uniforms);
+        free(frame->order);
+        free(frame->positions);
+        free(frame->recip_w);
+        free(frame->beyonds);
+        free(frame->band_starts);
+        free(frame->last_touched);
+        free(frame);
     }
     free(pipeline->depth);
     *pipeline = (struct pipeline){0};
 }
 
-/* Room for a band, in which nothing is visible yet; left as it was when memory runs out. */
-static bool visibility_create(struct visibility *visibility, const struct frame *frame) {
-    size_t columns = chunk_columns(frame), pixels = columns * CHUNK * BAND_HEIGHT;
-    /* Behind the last number one more is read: see find_runs(). */
-    size_t depth_size = pixels * sizeof *visibility->depth;
-    size_t number_size = (pixels + CHUNK) * sizeof *visibility->number;
-    struct visibility made = {
-        .depth = aligned_alloc(CACHE_LINE, depth_size),
-        .number = aligned_alloc(CACHE_LINE, number_size),
-        .touched = calloc(columns, sizeof *made.touched),
-        .farthest = malloc(columns * BAND_TILES * sizeof *made.farthest),
-    };
-    if (made.depth == NULL || made.number == NULL || made.touched == NULL ||
-        made.farthest == NULL) {
-        visibility_free(&made);
-        return false;
+/* Room for that many columns, in which nothing is visible yet. */
+static bool reserve_columns(struct frame *frame, size_t count) {
+    if (count <= frame->column_count) {
+        return true;
     }
-    depth_clear(made.depth, pixels);
-    memset(made.number, 0, number_size);
-    depth_clear(made.farthest, columns * BAND_TILES);
-    *visibility = made;
-    return true;
+    free_columns(frame);
+    frame->chunks = aligned_alloc(CACHE_LINE, count * sizeof *frame->chunks);
+    for (size_t i = 0; frame->chunks != NULL && i < count; i++) {
+        frame->chunks[i].touched = UINT32_MAX;
+        column_clear(&frame->chunks[i]);
+    }
+    frame->column_count = frame->chunks != NULL ? count : 0;
+    return frame->chunks != NULL;
 }
 
 /* Memory for the pieces of one band: fewer than all. What is not used is not touched. */
@@ -120,8 +101,8 @@ static bool scratch_reserve(struct scratch *scratch, const struct frame *frame) 
                         sizeof *scratch->visible) &&
            array_extend(&scratch->planes, &scratch->plane_capacity, visible,
                         PLANES_SIZE(VARYING_LIMIT) * sizeof *scratch->planes) &&
-           (!frame->discards || scratch->before.depth != NULL ||
-            visibility_create(&scratch->before, frame));
+           (!frame->discards || array_extend(&scratch->before, &scratch->before_capacity,
+                                             chunk_columns(frame), sizeof *scratch->before));
 }
 
 /* ---- Draw calls ---- */
@@ -129,10 +110,7 @@ static bool scratch_reserve(struct scratch *scratch, const struct frame *frame) 
 void pipeline_use_threads(struct pipeline *pipeline, size_t thread_count) {
     struct frame *frame = pipeline->frame;
     if (frame->thread_count != thread_count) {
-        free_all_scratch(frame);
-        workers_free(frame->workers);
-        frame->workers = NULL;
-        frame->has_workers = false;
+        free_workers(frame);
         frame->thread_count = thread_count;
     }
 }
@@ -212,9 +190,18 @@ static bool reserve_depth(struct pipeline *p) {
     return true;
 }
 
-/* Nothing is drawn yet. Room for what does not depend on the models. */
-static bool begin_frame(struct frame *frame, struct pipeline *p, struct image *image) {
-    size_t bands = band_count(frame);
+/* Threads, where there are none yet, and memory for each. */
+static bool reserve_workers(struct frame *frame) {
+    if (frame->scratch == NULL) {
+        workers_free(frame->workers);
+        frame->workers = workers_create(frame->thread_count);
+        frame->scratch = calloc(workers_count(frame->workers), sizeof *frame->scratch);
+    }
+    return frame->scratch != NULL;
+}
+
+/* Nothing is drawn yet, and nothing counted. */
+static void begin_frame(struct frame *frame, const struct pipeline *p, struct image *image) {
     const struct image *last = &frame->last_image;
     frame->image = image;
     frame->knows_last = p->clearing == CLEAR_LAST_FRAME && last->pixels == image->pixels &&
@@ -223,38 +210,18 @@ static bool begin_frame(struct frame *frame, struct pipeline *p, struct image *i
     frame->position_count = frame->block_count = frame->sorted_count = 0;
     frame->kept = false;
     frame->exhausted = false;
-    if (!frame->has_workers) {
-        frame->workers = workers_create(frame->thread_count);
-        frame->has_workers = true;
+    for (size_t i = 0; i < workers_count(frame->workers); i++) {
+        memset(frame->scratch[i].stats, 0, sizeof frame->scratch[i].stats);
     }
-    if (!reserve_depth(p) ||
-        !array_extend(&frame->last_touched, &frame->touched_capacity, bands * chunk_columns(frame),
-                      sizeof *frame->last_touched) ||
-        !array_extend(&frame->band_stats, &frame->band_capacity, bands,
-                      sizeof *frame->band_stats)) {
-        return false;
-    }
-    memset(frame->band_stats, 0, bands * sizeof *frame->band_stats);
-    return true;
 }
 
 /* Room for what the threads need to draw bands; and what is visible of one: for each thread, or,
  * where it is kept from round to round, for each band. */
 static bool reserve_bands(struct frame *frame, struct error *error) {
     size_t threads = workers_count(frame->workers);
-    size_t count = frame->kept ? band_count(frame) : threads;
-    bool reserved =
-        array_extend(&frame->visibility, &frame->visibility_capacity, count,
-                     sizeof *frame->visibility) &&
-        array_extend(&frame->scratch, &frame->scratch_capacity, threads, sizeof *frame->scratch);
-    for (size_t i = frame->visibility_count; reserved && i < count; i++) {
-        reserved = visibility_create(&frame->visibility[i], frame);
-        frame->visibility_count += reserved;
-    }
+    size_t bands = frame->kept ? band_count(frame) : threads;
+    bool reserved = reserve_columns(frame, bands * chunk_columns(frame));
     for (size_t i = 0; reserved && i < threads; i++) {
-        if (i == frame->scratch_count) {
-            frame->scratch[frame->scratch_count++] = (struct scratch){0};
-        }
         reserved = scratch_reserve(&frame->scratch[i], frame);
     }
     return reserved || error_out_of_memory(error);
@@ -281,15 +248,20 @@ bool pipeline_finish(struct pipeline *p, struct image *image, struct error *erro
     assert(image->width == p->width && image->height == p->height && image->format != IMAGE_GREY);
     struct frame *frame = p->frame;
     frame->pipeline = p;
-    if (!(begin_frame(frame, p, image) || error_out_of_memory(error)) ||
-        !pipeline_order(frame, error) || !draw_rounds(frame, error)) {
-        free_all_visibility(frame); /* of some bands, perhaps, there is something in it */
+    if (!reserve_depth(p) || !reserve_workers(frame)) {
+        return error_out_of_memory(error);
+    }
+    begin_frame(frame, p, image);
+    if (!pipeline_order(frame, error) || !draw_rounds(frame, error)) {
+        free_columns(frame); /* in some there is something, perhaps */
         return false;
     }
     workers_run(frame->workers, band_count(frame), pipeline_draw_band, frame);
     frame->last_image = p->clearing == CLEAR_LAST_FRAME ? *image : (struct image){0};
-    for (size_t i = 0; i < band_count(frame); i++) {
-        pipeline_add_stats(frame, frame->band_stats[i]);
+    for (size_t i = 0; i < workers_count(frame->workers); i++) {
+        for (int k = 0; k < PIPELINE_STATS; k++) {
+            p->stats[k] += frame->scratch[i].stats[k];
+        }
     }
     if (!p->counts_tests) {
         p->stats[STAT_PIXELS_COVERED] = p->stats[STAT_PIXELS_PASSED] = 0;

@@ -102,11 +102,7 @@ struct shader {
 };
 
 /* All calls of a function become part of it. */
-#if defined(__GNUC__)
 #define FLATTEN __attribute__((flatten))
-#else
-#define FLATTEN
-#endif
 
 /* Define a constant `struct shader name` with the fields that follow the name. Its loops over
  * pixels have them as constants: the functions become part of the loop, and no pixel costs a

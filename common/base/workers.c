@@ -39,9 +39,9 @@ struct workers {
     worker_function *work;
     void *context;
     struct share share[THREAD_LIMIT]; /* of each worker */
-    atomic_ulong loop; /* its number, which tells a thread whether it knows it already */
-    bool open;         /* threads may still join */
-    atomic_size_t threads_at_work; /* without the one that calls */
+    atomic_ulong loop;            /* its number, which tells a thread whether it knows it already */
+    bool open;                    /* threads may still join */
+    atomic_ulong threads_at_work; /* without the one that calls */
 };
 
 /* First its own share, then what the others have not begun. So in every loop, and in every frame, a
@@ -58,23 +58,17 @@ static void do_parts(struct workers *workers, size_t worker) {
     }
 }
 
-static bool has_patience(const struct timespec *since) {
+static long long nanoseconds_since(const struct timespec *since) {
     struct timespec now;
     clock_gettime(CLOCK_MONOTONIC, &now);
-    return (now.tv_sec - since->tv_sec) * 1000000000LL + now.tv_nsec - since->tv_nsec < PATIENCE;
+    return (now.tv_sec - since->tv_sec) * 1000000000LL + now.tv_nsec - since->tv_nsec;
 }
 
-static void wait_for_loop(const struct workers *workers, unsigned long known) {
+/* Stay awake until the number is that, but not for long. */
+static void wait_awake(const atomic_ulong *number, unsigned long wanted) {
     struct timespec since;
     clock_gettime(CLOCK_MONOTONIC, &since);
-    while (atomic_load(&workers->loop) == known && has_patience(&since)) {
-    }
-}
-
-static void wait_for_threads(const struct workers *workers) {
-    struct timespec since;
-    clock_gettime(CLOCK_MONOTONIC, &since);
-    while (atomic_load(&workers->threads_at_work) > 0 && has_patience(&since)) {
+    while (atomic_load(number) != wanted && nanoseconds_since(&since) < PATIENCE) {
     }
 }
 
@@ -99,7 +93,7 @@ static void *thread_main(void *argument) {
             pthread_cond_signal(&workers->last_leaves);
         }
         pthread_mutex_unlock(&workers->mutex);
-        wait_for_loop(workers, known);
+        wait_awake(&workers->loop, known + 1);
         pthread_mutex_lock(&workers->mutex);
     }
     pthread_mutex_unlock(&workers->mutex);
@@ -155,10 +149,6 @@ void workers_free(struct workers *workers) {
     free(workers);
 }
 
-size_t workers_count(const struct workers *workers) {
-    return workers == NULL ? 1 : workers->thread_count + 1;
-}
-
 static void run_shared(struct workers *workers, size_t count, worker_function *work,
                        void *context) {
     pthread_mutex_lock(&workers->mutex);
@@ -177,7 +167,7 @@ static void run_shared(struct workers *workers, size_t count, worker_function *w
     pthread_mutex_lock(&workers->mutex);
     workers->open = false; /* a thread that wakes only now is late */
     pthread_mutex_unlock(&workers->mutex);
-    wait_for_threads(workers);
+    wait_awake(&workers->threads_at_work, 0);
     pthread_mutex_lock(&workers->mutex);
     while (workers->threads_at_work > 0) {
         pthread_cond_wait(&workers->last_leaves, &workers->mutex);
@@ -186,6 +176,10 @@ static void run_shared(struct workers *workers, size_t count, worker_function *w
 }
 
 #else
+
+struct workers {
+    size_t thread_count;
+};
 
 struct workers *workers_create(size_t thread_count) {
     (void)thread_count;
@@ -196,17 +190,16 @@ void workers_free(struct workers *workers) {
     (void)workers;
 }
 
-size_t workers_count(const struct workers *workers) {
-    (void)workers;
-    return 1;
-}
-
 static void run_shared(struct workers *workers, size_t count, worker_function *work,
                        void *context) {
     (void)workers, (void)count, (void)work, (void)context;
 }
 
 #endif
+
+size_t workers_count(const struct workers *workers) {
+    return workers == NULL ? 1 : workers->thread_count + 1;
+}
 
 void workers_run(struct workers *workers, size_t count, worker_function *work, void *context) {
     if (workers != NULL && count > 1) {

@@ -319,7 +319,6 @@ static bool sort_block(const struct frame *frame, struct block *block) {
 }
 
 static void assemble_block(void *context, size_t index, size_t worker) {
-    (void)worker;
     struct frame *frame = context;
     struct block *block = &frame->blocks[frame->round_block + index];
     const struct recorded_call *call = block->call;
@@ -327,6 +326,7 @@ static void assemble_block(void *context, size_t index, size_t worker) {
     const struct face *faces = call->call.model->faces;
     struct index_range part = part_of(block, call->call.model->face_count);
     bool reserved = true;
+    block->stats = frame->scratch[worker].stats;
     for (size_t first = part.begin; reserved && first < part.end; first += BATCH_SIZE) {
         batch.count = part.end - first < BATCH_SIZE ? part.end - first : BATCH_SIZE;
         fill_corners(frame, &batch, call, faces + first);
@@ -359,7 +359,6 @@ static bool add_block(struct frame *frame, struct recorded_call *call, size_t be
     block->begin = begin;
     block->piece_count = 0;
     block->columns = block->rows = (struct span){INT_MAX, 0};
-    memset(block->stats, 0, sizeof block->stats);
     return true;
 }
 
@@ -386,7 +385,7 @@ static bool add_calls(struct frame *frame, struct error *error) {
     uint64_t *stats = frame->pipeline->stats;
     frame->round_block = frame->block_count;
     for (size_t i = frame->round.begin; i < frame->round.end; i++) {
-        struct recorded_call *call = frame->order[i].call;
+        struct recorded_call *call = frame->order[i];
         if (is_hidden(frame, &call->place)) {
             stats[STAT_CALLS_HIDDEN]++;
             stats[STAT_FACES_HIDDEN] += call->call.model->face_count;
@@ -422,7 +421,6 @@ static bool add_up_blocks(struct frame *frame, struct error *error) {
         place->columns = span_around(place->columns, block->columns);
         place->rows = span_around(place->rows, block->rows);
         frame->sorted_count += frame->band_starts[(i + 1) * (band_count(frame) + 1) - 1];
-        pipeline_add_stats(frame, block->stats);
     }
     return frame->sorted_count <= INT_MAX ||
            error_set(error, "more than %d triangles in one frame", INT_MAX);

@@ -149,7 +149,7 @@ LANES_INLINE doubles_mask cover_pixels(const struct call_band *band, const struc
 static void touch(const struct call_band *band, int x, struct span rows) {
     uint64_t before_end = (UINT64_C(1) << (rows.end - band->rows.begin)) - 1;
     int begin = rows.begin - band->rows.begin;
-    band->visibility->touched[x / CHUNK] |= (uint32_t)(before_end >> begin << begin);
+    band->chunks[(size_t)x / CHUNK].touched |= (uint32_t)(before_end >> begin << begin);
 }
 
 /* Some rows of a strip, the TOGETHER columns from x on. */
@@ -164,9 +164,9 @@ LANES_INLINE void cover_strip(const struct call_band *band, const struct box *bo
         seen = mask_above(seen, doubles_all(box->columns.end), at);
         e0 = doubles_select(seen, e0, doubles_all(-INFINITY));
     }
-    size_t place = place_in_band(rows.begin - band->rows.begin, x);
-    double *depths = band->visibility->depth + place;
-    uint32_t *numbers = band->visibility->number + place;
+    struct column *column = &band->chunks[(size_t)x / CHUNK];
+    double *depths = &column->depth[rows.begin - band->rows.begin][x % CHUNK];
+    uint32_t *numbers = &column->number[rows.begin - band->rows.begin][x % CHUNK];
     for (int y = rows.begin; y < rows.end; y++) {
         doubles_mask inside = mask_not_below(mask_all(), e0, box->least[0]);
         inside = mask_not_below(inside, e1, box->least[1]);
@@ -223,10 +223,10 @@ static double find_farthest(const struct call_band *band, int chunk, int tile) {
     int columns = (int)band->frame->pipeline->width - chunk * CHUNK;
     int begin = tile * TILE_HEIGHT, rows = band->rows.end - band->rows.begin - begin;
     uint32_t all = (UINT32_C(1) << (rows < TILE_HEIGHT ? rows : TILE_HEIGHT)) - 1;
-    if ((band->visibility->touched[chunk] >> begin & all) != all) {
+    if ((band->chunks[chunk].touched >> begin & all) != all) {
         return -INFINITY;
     }
-    const double *depth = band->visibility->depth + place_in_band(begin, chunk * CHUNK);
+    const double *depth = band->chunks[chunk].depth[begin];
     for (int i = 0; i < CHUNK; i++) {
         least[i] = INFINITY;
     }
@@ -246,9 +246,8 @@ static double find_farthest(const struct call_band *band, int chunk, int tile) {
 static void update_farthest(const struct call_band *band) {
     struct span columns = band->columns, rows = rows_in_band(band, band->changed_rows);
     for (int x = columns.begin / CHUNK; x * CHUNK < columns.end; x++) {
-        double *farthest = band->visibility->farthest + x * BAND_TILES;
         for (int tile = rows.begin / TILE_HEIGHT; tile * TILE_HEIGHT < rows.end; tile++) {
-            farthest[tile] = find_farthest(band, x, tile);
+            band->chunks[x].farthest[tile] = find_farthest(band, x, tile);
         }
     }
 }
@@ -270,7 +269,7 @@ LANES_INLINE void cover_piece(struct call_band *band, uint32_t number, struct co
     if (how.reordered) {
         const struct screen_place place = {box.columns, rows_in_band(band, box.rows),
                                            nearest_of_depths(piece->depth)};
-        if (is_behind(band->visibility, &place)) {
+        if (is_behind(band->frame, band->chunks, &place)) {
             band->stats[STAT_FACES_BEHIND]++;
             return;
         }
@@ -308,21 +307,28 @@ static void shade(const struct call_band *band) {
     }
 }
 
+/* Keep what is visible in some rows of the columns, for what is discarded. */
+static void keep_before(const struct call_band *band, struct span rows) {
+    int begin = rows.begin - band->rows.begin;
+    size_t count = (size_t)(rows.end - rows.begin) * CHUNK;
+    for (int x = band->columns.begin / CHUNK; x * CHUNK < band->columns.end; x++) {
+        const struct column *now = &band->chunks[x];
+        struct column *before = &band->scratch->before[x];
+        memcpy(before->depth[begin], now->depth[begin], count * sizeof now->depth[0][0]);
+        memcpy(before->number[begin], now->number[begin], count * sizeof now->number[0][0]);
+    }
+}
+
 /* Cover and shade each piece before the next one is covered. */
 static void draw_pieces(struct call_band *band) {
     const struct span numbers = band->numbers;
-    const struct visibility *now = band->visibility, *before = &band->scratch->before;
     for (int i = numbers.begin; i < numbers.end; i++) {
         const struct fixed2 *c = band->scratch->pieces[i]->corner;
         band->numbers = (struct span){i, i + 1};
         band->columns = span_overlap(box_centers(c[0].x, c[1].x, c[2].x),
                                      columns_of(&band->call->call.viewport));
         if (band->call->shader->discards) {
-            size_t place = place_in_band(0, band->columns.begin / CHUNK * CHUNK);
-            size_t count =
-                place_in_band(0, (band->columns.end + CHUNK - 1) / CHUNK * CHUNK) - place;
-            memcpy(before->depth + place, now->depth + place, count * sizeof *now->depth);
-            memcpy(before->number + place, now->number + place, count * sizeof *now->number);
+            keep_before(band, span_overlap(box_centers(c[0].y, c[1].y, c[2].y), band->rows));
         }
         cover_piece(band, (uint32_t)i + 1, (struct cover_how){false, true});
         band->scratch->fetched[i + 1] = 1;
@@ -348,11 +354,10 @@ static void cover_call(struct call_band *band) {
 
 /* Mark the pieces of which a pixel is visible. */
 static void mark_visible(const struct call_band *band) {
-    const struct visibility *visibility = band->visibility;
     memset(band->scratch->fetched, 0, ((size_t)band->numbers.end + 1) * sizeof(uint32_t));
     for (size_t i = 0; i < chunk_columns(band->frame); i++) {
-        const uint32_t *number = visibility->number + place_in_band(0, (int)i * CHUNK);
-        for (uint32_t rows = visibility->touched[i]; rows != 0; rows >>= 1) {
+        const uint32_t *number = band->chunks[i].number[0];
+        for (uint32_t rows = band->chunks[i].touched; rows != 0; rows >>= 1) {
             for (int k = 0; (rows & 1) != 0 && k < CHUNK; k++) {
                 band->scratch->fetched[number[k]] = 1;
             }
@@ -361,32 +366,12 @@ static void mark_visible(const struct call_band *band) {
     }
 }
 
-/* Make the band what it was: nothing is drawn. Only what was touched has changed. */
-static void clear_band(const struct call_band *band) {
-    struct visibility *visibility = band->visibility;
-    size_t columns = chunk_columns(band->frame);
-    for (size_t i = 0; i < columns; i++) {
-        size_t place = place_in_band(0, (int)i * CHUNK);
-        for (uint32_t rows = visibility->touched[i]; rows != 0; rows >>= 1) {
-            if ((rows & 1) != 0) {
-                for (int k = 0; k < CHUNK; k++) {
-                    visibility->depth[place + (size_t)k] = -INFINITY;
-                }
-                memset(visibility->number + place, 0, CHUNK * sizeof *visibility->number);
-            }
-            place += CHUNK;
-        }
-        visibility->touched[i] = 0;
-    }
-    depth_clear(visibility->farthest, columns * BAND_TILES);
-}
-
 static void keep_depth(const struct call_band *band) {
     const struct pipeline *p = band->frame->pipeline;
     for (int y = band->rows.begin; y < band->rows.end; y++) {
         for (size_t x = 0; x < p->width; x++) {
             p->depth[(size_t)y * p->width + x] =
-                band->visibility->depth[place_in_band(y - band->rows.begin, (int)x)];
+                band->chunks[x / CHUNK].depth[y - band->rows.begin][x % CHUNK];
         }
     }
 }
@@ -427,7 +412,7 @@ static void clear_image(const struct call_band *band, const uint32_t *last_touch
  * False where it has none in the band. */
 static bool next_call(struct call_band *band, size_t place) {
     const struct frame *frame = band->frame;
-    const struct recorded_call *call = frame->order[place].call;
+    const struct recorded_call *call = frame->order[place];
     size_t bands = band_count(frame), index = (size_t)band->rows.begin / BAND_HEIGHT;
     struct piece **next = band->scratch->pieces + band->numbers.end;
     for (size_t i = call->first_block; i < call->first_block + call->block_count; i++) {
@@ -446,7 +431,7 @@ static bool next_call(struct call_band *band, size_t place) {
 static bool call_is_behind(const struct call_band *band) {
     struct screen_place place = band->call->place;
     place.rows = rows_in_band(band, place.rows);
-    return band->frame->reordered && is_behind(band->visibility, &place);
+    return band->frame->reordered && is_behind(band->frame, band->chunks, &place);
 }
 
 /* Cover the pieces of the round's calls in the band; those of earlier rounds are numbered only. */
@@ -484,9 +469,9 @@ static struct call_band begin_band(struct frame *frame, size_t index, size_t wor
     return (struct call_band){
         .frame = frame,
         .rows = {bottom, height - bottom < BAND_HEIGHT ? height : bottom + BAND_HEIGHT},
-        .visibility = &frame->visibility[frame->kept ? index : worker],
+        .chunks = frame->chunks + (frame->kept ? index : worker) * chunk_columns(frame),
         .scratch = &frame->scratch[worker],
-        .stats = frame->band_stats[index],
+        .stats = frame->scratch[worker].stats,
     };
 }
 
@@ -507,8 +492,8 @@ void pipeline_draw_band(void *context, size_t index, size_t worker) {
     if (frame->pipeline->depth != NULL) {
         keep_depth(&band);
     }
-    if (frame->pipeline->clearing == CLEAR_LAST_FRAME) {
-        memcpy(last_touched, band.visibility->touched, columns * sizeof *last_touched);
+    for (size_t i = 0; i < columns; i++) {
+        last_touched[i] = band.chunks[i].touched;
+        column_clear(&band.chunks[i]);
     }
-    clear_band(&band);
 }

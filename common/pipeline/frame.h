@@ -1,14 +1,6 @@
 /*
  * Private to the pipeline: a frame, and all else that its stages know of each other. The table in
- * pipeline.h lists the stages in their order. Each file calls only files below it:
- *
- *     pipeline.c                  records draw calls, draws the frame
- *     order.c                     which calls need not be drawn, and the order of the others
- *     assemble.c                  from models to pieces
- *     clip.c, classify.c          what becomes of a face
- *     cover.c                     covers the pixels of a band, and has them shaded
- *     shade.h, planes.h           the loops that SHADER() compiles
- *     frame.h, vectors.h          what all share
+ * pipeline.h lists the stages in their order, and their files.
  */
 #ifndef COMMON_PIPELINE_FRAME_H
 #define COMMON_PIPELINE_FRAME_H
@@ -59,12 +51,6 @@ struct recorded_call {
     atomic_uint beyond;              /* the sides that any of its positions is beyond */
 };
 
-/* A call's place in the order of covering. */
-struct call_order {
-    double nearest;
-    struct recorded_call *call;
-};
-
 /* A position on the screen. */
 struct screen_position {
     struct fixed2 at;
@@ -97,19 +83,33 @@ struct block {
     uint32_t *sorted; /* indices of pieces, band after band: see `band_starts` of the frame */
     size_t piece_count, piece_capacity, band_capacity, sorted_capacity;
     struct span columns, rows; /* that the pieces may cover */
-    uint64_t stats[PIPELINE_STATS];
+    uint64_t *stats;           /* of the thread that assembles it */
 };
 
 /* ---- Bands ---- */
 
-/* What is visible of a band, so far. A thread's, for one band after the other; or, where a frame
- * takes several rounds, a band's. */
-struct visibility {
-    double *depth;     /* of each pixel, at place_in_band(); minus infinity: nothing is drawn */
-    uint32_t *number;  /* the same, of its piece: see struct scratch; 0 where nothing is drawn */
-    uint32_t *touched; /* of each column of chunks, bit i: something may be drawn in row i */
-    double *farthest;  /* of each tile, those of a column together: at most every pixel's depth */
+/* What is visible, so far, of a band's chunks in one column. (Behind the last number, one more is
+ * read: see find_runs().) */
+struct column {
+    double depth[BAND_HEIGHT][CHUNK];    /* minus infinity: nothing is drawn */
+    uint32_t number[BAND_HEIGHT][CHUNK]; /* of the piece: see struct scratch; 0: nothing is drawn */
+    double farthest[BAND_TILES];         /* of each tile: at most every pixel's depth */
+    uint32_t touched;                    /* bit i: something may be drawn in row i */
+    char apart[CACHE_LINE - BAND_TILES * sizeof(double) - sizeof(uint32_t)];
 };
+
+/* Make it what it was: nothing is drawn. Only what was touched has changed. */
+static inline void column_clear(struct column *column) {
+    for (int row = 0; column->touched != 0; row++, column->touched >>= 1) {
+        for (int i = 0; (column->touched & 1) != 0 && i < CHUNK; i++) {
+            column->depth[row][i] = -INFINITY;
+            column->number[row][i] = 0;
+        }
+    }
+    for (int tile = 0; tile < BAND_TILES; tile++) {
+        column->farthest[tile] = -INFINITY;
+    }
+}
 
 /* The memory of a thread, for one band after the other. The pieces of a band have numbers from 1
  * on, one draw call's after the other's. */
@@ -118,17 +118,19 @@ struct scratch {
     /* By number: 0 while nothing of the piece is visible, otherwise 1; and once its draw call is
      * shaded, what was fetched for it: the colour of a flat piece, or where its planes are. */
     uint32_t *fetched;
-    uint32_t *visible;        /* the numbers of a draw call's visible pieces */
-    real *planes;             /* and their planes: see planes_of() */
-    struct visibility before; /* where a shader discards: what was visible without its piece */
-    size_t piece_capacity, fetched_capacity, visible_capacity, plane_capacity;
+    uint32_t *visible;     /* the numbers of a draw call's visible pieces */
+    real *planes;          /* and their planes: see planes_of() */
+    struct column *before; /* where a shader discards: what was visible without its piece */
+    size_t piece_capacity, fetched_capacity, visible_capacity, plane_capacity, before_capacity;
+    uint64_t stats[PIPELINE_STATS];
+    char apart[2 * CACHE_LINE]; /* from the next thread's */
 };
 
 /* A band that is drawn, one draw call after the other: what a shade_function works on. */
 struct call_band {
     const struct frame *frame;
     struct span rows;
-    struct visibility *visibility;
+    struct column *chunks; /* of the whole band */
     struct scratch *scratch;
     uint64_t *stats;
     const struct recorded_call *call;
@@ -144,7 +146,6 @@ struct frame {
     struct image *image;
     size_t thread_count;     /* for workers_create() */
     struct workers *workers; /* NULL also where there are none */
-    bool has_workers;        /* they have been asked for */
     /* Recorded: */
     struct recorded_call *calls;
     size_t call_count, call_capacity;
@@ -152,7 +153,7 @@ struct frame {
     size_t uniforms_end, uniforms_capacity;
     bool discards; /* one of the shaders does */
     /* Ordered: */
-    struct call_order *order; /* the calls that may cover pixels, as they are covered */
+    struct recorded_call **order; /* the calls that may cover pixels, as they are covered */
     size_t order_count, order_capacity;
     bool reordered;           /* the nearest first */
     struct index_range round; /* of the order, what comes in this round */
@@ -171,14 +172,11 @@ struct frame {
     size_t sorted_count;   /* entries of all `sorted` */
     atomic_bool exhausted; /* a thread ran out of memory */
     /* Drawn: */
-    struct visibility *visibility; /* one a thread or, if `kept`, one a band */
-    struct scratch *scratch;       /* one a thread */
-    uint64_t (*band_stats)[PIPELINE_STATS];
-    size_t visibility_count, visibility_capacity;
-    size_t scratch_count, scratch_capacity, band_capacity;
+    struct column *chunks;   /* of one band a thread or, if `kept`, of all bands */
+    struct scratch *scratch; /* one a thread; NULL before the first frame */
+    size_t column_count;
     /* For CLEAR_LAST_FRAME: `touched` of all bands, and whose they are. */
     uint32_t *last_touched;
-    size_t touched_capacity;
     struct image last_image;
     bool knows_last; /* the image is that one */
 };
@@ -194,12 +192,6 @@ static inline size_t band_count(const struct frame *frame) {
 
 static inline size_t chunk_columns(const struct frame *frame) {
     return (frame->pipeline->width + CHUNK - 1) / CHUNK;
-}
-
-/* Where a pixel of a band is in memory: chunk above chunk, and column of chunks next to column. So
- * what lies above is near, and as many rows as are wanted are read in turn. */
-static inline size_t place_in_band(int row, int x) {
-    return ((size_t)x / CHUNK * BAND_HEIGHT + (size_t)row) * CHUNK + (size_t)x % CHUNK;
 }
 
 static inline struct span span_around(struct span a, struct span b) {
@@ -234,11 +226,12 @@ static inline struct span rows_of(const struct rectangle *viewport) {
 
 /* Is everything in a place behind what is shown in every tile that it reaches? Rows are counted
  * from the lowest one of the first of these bands. */
-static inline bool is_behind(const struct visibility *bands, const struct screen_place *place) {
+static inline bool is_behind(const struct frame *frame, const struct column *bands,
+                             const struct screen_place *place) {
     for (int y = place->rows.begin / TILE_HEIGHT; y * TILE_HEIGHT < place->rows.end; y++) {
-        const double *farthest = bands[y / BAND_TILES].farthest + y % BAND_TILES;
+        const struct column *band = bands + (size_t)(y / BAND_TILES) * chunk_columns(frame);
         for (int x = place->columns.begin / CHUNK; x * CHUNK < place->columns.end; x++) {
-            if (!(place->nearest < farthest[x * BAND_TILES])) {
+            if (!(place->nearest < band[x].farthest[y % BAND_TILES])) {
                 return false;
             }
         }
@@ -248,7 +241,8 @@ static inline bool is_behind(const struct visibility *bands, const struct screen
 
 /* The same, of what the rounds before this one have covered. */
 static inline bool is_hidden(const struct frame *frame, const struct screen_place *place) {
-    return frame->round.begin > 0 && !place_is_empty(place) && is_behind(frame->visibility, place);
+    return frame->round.begin > 0 && !place_is_empty(place) &&
+           is_behind(frame, frame->chunks, place);
 }
 
 /* ---- Positions ---- */
@@ -319,12 +313,6 @@ struct batch {
 void batch_classify(struct batch *batch, const struct draw_call *call, bool skip);
 
 /* ---- The stages ---- */
-
-static inline void pipeline_add_stats(struct frame *frame, const uint64_t stats[PIPELINE_STATS]) {
-    for (int i = 0; i < PIPELINE_STATS; i++) {
-        frame->pipeline->stats[i] += stats[i];
-    }
-}
 
 /* Find the calls that may cover pixels, and the order in which they are covered. */
 bool pipeline_order(struct frame *frame, struct error *error);

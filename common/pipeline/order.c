@@ -111,7 +111,7 @@ static bool calls_overlap(const struct frame *frame) {
     struct span columns = {INT_MAX, 0}, rows = columns;
     uint64_t sum = 0;
     for (size_t i = 0; i < frame->order_count; i++) {
-        const struct screen_place *place = &frame->order[i].call->place;
+        const struct screen_place *place = &frame->order[i]->place;
         if (!place_is_empty(place)) {
             columns = span_around(columns, place->columns);
             rows = span_around(rows, place->rows);
@@ -123,11 +123,11 @@ static bool calls_overlap(const struct frame *frame) {
 
 /* The nearest first; of equally near ones the first drawn. */
 static int compare_calls(const void *left, const void *right) {
-    const struct call_order *a = left, *b = right;
-    if (a->nearest != b->nearest) {
-        return a->nearest > b->nearest ? -1 : 1;
+    const struct recorded_call *const *a = left, *const *b = right;
+    if ((*a)->place.nearest != (*b)->place.nearest) {
+        return (*a)->place.nearest > (*b)->place.nearest ? -1 : 1;
     }
-    return (a->call > b->call) - (a->call < b->call);
+    return (*a > *b) - (*a < *b);
 }
 
 /* List the calls that may cover pixels, and count the others. */
@@ -148,21 +148,21 @@ static void list_calls(struct frame *frame) {
             stats[STAT_CALLS_OUTSIDE]++;
             stats[STAT_FACES_OUTSIDE] += model->face_count;
         } else {
-            frame->order[frame->order_count++] = (struct call_order){call->place.nearest, call};
+            frame->order[frame->order_count++] = call;
         }
     }
 }
 
 bool pipeline_order(struct frame *frame, struct error *error) {
     if (!array_extend(&frame->order, &frame->order_capacity, frame->call_count,
-                      sizeof *frame->order)) {
+                      sizeof(struct recorded_call *))) {
         return error_out_of_memory(error);
     }
     list_calls(frame);
     /* A shader that discards needs the order of drawing. */
     frame->reordered = frame->pipeline->skip && !frame->discards && calls_overlap(frame);
     if (frame->reordered) {
-        qsort(frame->order, frame->order_count, sizeof *frame->order, compare_calls);
+        qsort(frame->order, frame->order_count, sizeof(struct recorded_call *), compare_calls);
     }
     return true;
 }

@@ -111,7 +111,8 @@ LANES_INLINE void write_plane(real *to, size_t k, struct planes_together plane, 
 /* Perspective: a varying is v0 + (e1 (v1 - v0) / w1 + e2 (v2 - v0) / w2) / (e0 / w0 + e1 / w1 +
  * e2 / w2), where e are the edge functions. Both are planes on the screen. (Blinn, "Hyperbolic
  * Interpolation", IEEE CG&A 12(4), 1992.) Of pieces that are not given, anything is written. */
-KERNEL void find_planes(const struct corners_together *of, const struct shader *shader, real *to) {
+LANES_INLINE void find_planes(const struct corners_together *of, const struct shader *shader,
+                              real *to) {
     size_t n = shader->varying_count;
     ints x0, y0;
     struct planes_together edge[3];

@@ -1,6 +1,7 @@
 /*
  * Private to the pipeline: the pixels of one draw call in one band are shaded. In a header, because
- * SHADER() compiles these loops again for every shader. pipeline.h includes it at its end.
+ * SHADER() compiles these loops again for every shader. pipeline.h includes it at its end. All are
+ * inlined where their shader is a constant: so the compiler can inline the shader in turn.
  */
 #ifndef COMMON_PIPELINE_SHADE_H
 #define COMMON_PIPELINE_SHADE_H
@@ -9,29 +10,18 @@
 #error "include pipeline.h instead"
 #endif
 
-/* The kernels below call a shader that is a constant where they are used. Only when they are
- * inlined there can the compiler inline the shader into them in turn. */
-#if defined(__GNUC__)
-#define KERNEL static inline __attribute__((always_inline))
-#else
-#define KERNEL static inline
-#endif
-
 #include "pipeline/frame.h"
 #include "pipeline/planes.h"
 
-/* Do the bytes of a texel in memory have the order of a BGRA image? */
-#if defined(__BYTE_ORDER__) && __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__
-enum { IS_LITTLE_ENDIAN = 1 };
-#else
-enum { IS_LITTLE_ENDIAN = 0 };
-#endif
+/* Have the bytes of a texel in memory the order of a BGRA image? */
+enum { IS_LITTLE_ENDIAN = __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__ };
 
 /* ---- Fetching: once for each visible piece of a draw call ---- */
 
 /* A corner of a face becomes corner c of number i of those. */
-KERNEL void put_corner(const struct call_band *band, const struct shader *shader, uint32_t face,
-                       size_t corner, struct corners_together *to, size_t c, size_t i) {
+LANES_INLINE void put_corner(const struct call_band *band, const struct shader *shader,
+                             uint32_t face, size_t corner, struct corners_together *to, size_t c,
+                             size_t i) {
     const struct recorded_call *call = band->call;
     size_t position = call->call.model->faces[face].corner[corner].position;
     double varyings[VARYING_LIMIT];
@@ -43,8 +33,9 @@ KERNEL void put_corner(const struct call_band *band, const struct shader *shader
 }
 
 /* The same for the corners of a part of a clipped face: mixed from those of the face. */
-KERNEL void put_clipped_corners(const struct call_band *band, const struct shader *shader,
-                                const struct piece *piece, struct corners_together *to, size_t i) {
+LANES_INLINE void put_clipped_corners(const struct call_band *band, const struct shader *shader,
+                                      const struct piece *piece, struct corners_together *to,
+                                      size_t i) {
     struct polygon polygon = pipeline_clip_face(band->call, piece->face);
     const size_t fan[3] = {0, piece->part, piece->part + 1U};
     double whole[3][VARYING_LIMIT];
@@ -63,8 +54,8 @@ KERNEL void put_clipped_corners(const struct call_band *band, const struct shade
 }
 
 /* The corners of a piece become number i of those. */
-KERNEL void put_corners(const struct call_band *band, const struct shader *shader,
-                        const struct piece *piece, struct corners_together *to, size_t i) {
+LANES_INLINE void put_corners(const struct call_band *band, const struct shader *shader,
+                              const struct piece *piece, struct corners_together *to, size_t i) {
     for (size_t c = 0; c < 3; c++) {
         to->x[c][i] = piece->corner[c].x;
         to->y[c][i] = piece->corner[c].y;
@@ -87,7 +78,7 @@ static inline const struct piece *see_piece(const struct call_band *band, uint32
 
 /* List the numbers of the visible pieces of the draw call; returns how many they are. Without a
  * branch: no processor could foresee it. */
-KERNEL uint32_t list_visible(const struct call_band *band) {
+LANES_INLINE uint32_t list_visible(const struct call_band *band) {
     uint32_t *visible = band->scratch->visible, count = 0;
     for (uint32_t number = (uint32_t)band->numbers.begin + 1; number <= (uint32_t)band->numbers.end;
          number++) {
@@ -98,7 +89,8 @@ KERNEL uint32_t list_visible(const struct call_band *band) {
 }
 
 /* Ask the memory for a piece that will be fetched soon, and for the face of a sooner one. */
-KERNEL void expect_pieces(const struct call_band *band, const uint32_t *visible, uint32_t count) {
+LANES_INLINE void expect_pieces(const struct call_band *band, const uint32_t *visible,
+                                uint32_t count) {
     enum { PIECES_AHEAD = 16, FACES_AHEAD = 8 };
     struct piece *const *pieces = band->scratch->pieces;
     if (count > PIECES_AHEAD) {
@@ -113,8 +105,8 @@ KERNEL void expect_pieces(const struct call_band *band, const uint32_t *visible,
 }
 
 /* Fetch the planes of the visible pieces. */
-KERNEL void fetch_planes(const struct call_band *band, const struct shader *shader,
-                         uint32_t count) {
+LANES_INLINE void fetch_planes(const struct call_band *band, const struct shader *shader,
+                               uint32_t count) {
     const uint32_t *visible = band->scratch->visible;
     struct corners_together corners = {0};
     for (uint32_t i = 0; i < count; i++) {
@@ -130,21 +122,21 @@ KERNEL void fetch_planes(const struct call_band *band, const struct shader *shad
 }
 
 /* What a fragment finds in its varyings. */
-KERNEL void prepare_varyings(const struct call_band *band, const struct shader *shader,
-                             lanes *varyings) {
+LANES_INLINE void prepare_varyings(const struct call_band *band, const struct shader *shader,
+                                   lanes *varyings) {
     if (shader->prepare != NULL) {
         shader->prepare(band->uniforms, varyings);
     }
 }
 
 /* The shader gives a piece one colour. (One that discards decides for each pixel.) */
-KERNEL bool has_colors(const struct shader *shader) {
+LANES_INLINE bool has_colors(const struct shader *shader) {
     return shader->flat && !shader->discards;
 }
 
 /* Find the colours of the visible pieces, of LANES at once. */
-KERNEL void fetch_colors(const struct call_band *band, const struct shader *shader,
-                         uint32_t count) {
+LANES_INLINE void fetch_colors(const struct call_band *band, const struct shader *shader,
+                               uint32_t count) {
     const uint32_t *visible = band->scratch->visible;
     for (uint32_t first = 0; first < count; first += LANES) {
         uint32_t some = count - first < LANES ? count - first : LANES;
@@ -169,7 +161,7 @@ KERNEL void fetch_colors(const struct call_band *band, const struct shader *shad
 
 /* Fetch what the visible pieces of the draw call need, in the order of the model, whose faces lie
  * close together in memory there. Returns how many these are. */
-KERNEL uint32_t fetch_visible(const struct call_band *band, const struct shader *shader) {
+LANES_INLINE uint32_t fetch_visible(const struct call_band *band, const struct shader *shader) {
     uint32_t count = list_visible(band);
     if (has_colors(shader)) {
         fetch_colors(band, shader, count);
@@ -189,8 +181,8 @@ struct lanes_planes {
 };
 
 /* From lane `first` on, the planes become those of a piece at pixels x of row y. */
-KERNEL void take_planes(struct lanes_planes *to, int first, const struct shader *shader,
-                        const real *from, lanes x, real y) {
+LANES_INLINE void take_planes(struct lanes_planes *to, int first, const struct shader *shader,
+                              const real *from, lanes x, real y) {
     lanes right = x - from[PLANES_X0 * TOGETHER];
     real up = y - from[PLANES_Y0 * TOGETHER];
     for (size_t k = 0; k <= shader->varying_count; k++) {
@@ -203,15 +195,15 @@ KERNEL void take_planes(struct lanes_planes *to, int first, const struct shader 
 }
 
 /* Planes that are 0 everywhere. */
-KERNEL void clear_planes(struct lanes_planes *planes, const struct shader *shader) {
+LANES_INLINE void clear_planes(struct lanes_planes *planes, const struct shader *shader) {
     for (size_t i = 0; i <= shader->varying_count; i++) {
         planes->at[i] = lanes_all(0);
         planes->corner[i] = lanes_all(i < shader->varying_count ? 0 : 1);
     }
 }
 
-KERNEL void divide_planes(const struct lanes_planes *planes, const struct shader *shader,
-                          lanes *varyings) {
+LANES_INLINE void divide_planes(const struct lanes_planes *planes, const struct shader *shader,
+                                lanes *varyings) {
     size_t n = shader->varying_count;
     lanes w = 1 / lanes_max(planes->at[n], planes->corner[n]);
     for (size_t i = 0; i < n; i++) {
@@ -232,7 +224,8 @@ static inline void write_texel(struct image *image, uint8_t *pixel, uint32_t tex
 
 /* Write the lanes that are `drawn`. What is in the image is read only where some stays: it may be
  * far from the cache. */
-KERNEL void write_lanes(struct image *image, int x, int y, lanes_texel color, lanes_int drawn) {
+LANES_INLINE void write_lanes(struct image *image, int x, int y, lanes_texel color,
+                              lanes_int drawn) {
     uint8_t *pixels = image->pixels + ((size_t)y * image->width + (size_t)x) * image->format;
     if (IS_LITTLE_ENDIAN && image->format == IMAGE_BGRA && (size_t)x + LANES <= image->width) {
         if (lanes_bits(~drawn) != 0) {
@@ -256,13 +249,13 @@ KERNEL void write_lanes(struct image *image, int x, int y, lanes_texel color, la
 
 /* ---- Shading what is visible ---- */
 
-KERNEL bool has_number(const struct call_band *band, uint32_t number) {
+LANES_INLINE bool has_number(const struct call_band *band, uint32_t number) {
     return number > (uint32_t)band->numbers.begin && number <= (uint32_t)band->numbers.end;
 }
 
 /* Where other runs of equal numbers begin: bit i where pixel i has another number than the one
  * before it. The number behind the LANES pixels is read, too. */
-KERNEL uint32_t find_runs(const uint32_t number[LANES + 1]) {
+LANES_INLINE uint32_t find_runs(const uint32_t number[LANES + 1]) {
     lanes_texel here, next;
     memcpy(&here, number, sizeof here);
     memcpy(&next, number + 1, sizeof next);
@@ -272,8 +265,8 @@ KERNEL uint32_t find_runs(const uint32_t number[LANES + 1]) {
 
 /* The varyings of LANES pixels, which may belong to several pieces: the planes are taken run by
  * run, mostly one, and divided by w once. False when none of the pixels is of this draw call. */
-KERNEL bool gather_varyings(const struct call_band *band, const struct shader *shader,
-                            const uint32_t number[LANES + 1], int x, int y, lanes *varyings) {
+LANES_INLINE bool gather_varyings(const struct call_band *band, const struct shader *shader,
+                                  const uint32_t number[LANES + 1], int x, int y, lanes *varyings) {
     struct lanes_planes planes;
     const real *all = band->scratch->planes;
     const uint32_t *fetched = band->scratch->fetched;
@@ -307,8 +300,9 @@ struct pixels {
 };
 
 /* Find what is to be shaded at (x,y). False when none of the pixels is of this draw call. */
-KERNEL bool gather_pixels(const struct call_band *band, const struct shader *shader,
-                          const uint32_t number[LANES + 1], int x, int y, struct pixels *pixels) {
+LANES_INLINE bool gather_pixels(const struct call_band *band, const struct shader *shader,
+                                const uint32_t number[LANES + 1], int x, int y,
+                                struct pixels *pixels) {
     lanes_texel numbers;
     memcpy(&numbers, number, sizeof numbers);
     pixels->x = x;
@@ -324,23 +318,24 @@ KERNEL bool gather_pixels(const struct call_band *band, const struct shader *sha
 
 /* Of the pixels that are drawn, those that the shader discards show again what they showed before.
  * Returns the others. */
-KERNEL lanes_int take_back(const struct call_band *band, const struct pixels *pixels,
-                           lanes_mask kept) {
-    const struct visibility *now = band->visibility, *before = &band->scratch->before;
-    size_t place = (size_t)(pixels->number - now->number);
+LANES_INLINE lanes_int take_back(const struct call_band *band, const struct pixels *pixels,
+                                 lanes_mask kept) {
+    size_t column = (size_t)pixels->x / CHUNK, first = (size_t)pixels->x % CHUNK;
+    int row = pixels->y - band->rows.begin;
+    struct column *now = &band->chunks[column], *before = &band->scratch->before[column];
     lanes_int drawn = pixels->drawn;
     for (int i = 0; i < LANES; i++) {
         if (drawn[i] != 0 && !lanes_is_set(kept, i)) {
-            now->depth[place + (size_t)i] = before->depth[place + (size_t)i];
-            now->number[place + (size_t)i] = before->number[place + (size_t)i];
+            now->depth[row][first + (size_t)i] = before->depth[row][first + (size_t)i];
+            now->number[row][first + (size_t)i] = before->number[row][first + (size_t)i];
             drawn[i] = 0;
         }
     }
     return drawn;
 }
 
-KERNEL void shade_pixels(const struct call_band *band, const struct shader *shader,
-                         const struct pixels *pixels) {
+LANES_INLINE void shade_pixels(const struct call_band *band, const struct shader *shader,
+                               const struct pixels *pixels) {
     lanes_texel color;
     lanes_int drawn = pixels->drawn;
     if (has_colors(shader)) { /* colours of other draw calls are of no use */
@@ -356,9 +351,11 @@ KERNEL void shade_pixels(const struct call_band *band, const struct shader *shad
  * the first is shaded: a processor foresees badly how many pieces there are, and would begin again
  * with texels that are on their way. (Colours wait for nothing: at once, in 0.94 of the time of a
  * frame.) Returns how many pixels there were in each column. */
-KERNEL lanes_int shade_columns(const struct call_band *band, const struct shader *shader, int x) {
-    const uint32_t *number = band->visibility->number + place_in_band(0, x);
-    uint32_t touched = band->visibility->touched[x / CHUNK];
+LANES_INLINE lanes_int shade_columns(const struct call_band *band, const struct shader *shader,
+                                     int x) {
+    const struct column *column = &band->chunks[(size_t)x / CHUNK];
+    const uint32_t *number = column->number[0] + x % CHUNK;
+    uint32_t touched = column->touched;
     struct pixels pixels[BAND_HEIGHT];
     int count = 0;
     lanes_int shaded = {0};
@@ -386,7 +383,7 @@ KERNEL lanes_int shade_columns(const struct call_band *band, const struct shader
 /* Each visible pixel of the draw call once, in columns: what lies above a chunk is mostly of the
  * same pieces, and its texels are next to those just fetched. SHADER() compiles this for a
  * shader. */
-KERNEL void shade_visible(const struct call_band *band, const struct shader *shader) {
+LANES_INLINE void shade_visible(const struct call_band *band, const struct shader *shader) {
     lanes_int shaded = {0};
     if (fetch_visible(band, shader) == 0) {
         return;
