@@ -45,7 +45,7 @@ static inline struct color attempt_sample_bilinear(const struct texture *texture
 /* ---- Triangles ---- */
 
 /* Exact coordinates and a sampler that knows nothing of mip levels. */
-static inline void attempt_perspective(struct image *image, const struct vertex v[3],
+static inline void attempt_perspective(struct image *image, const struct vertex *v,
                                        const struct texture *texture, attempt_sampler *sampler) {
     struct quotients plane;
     if (!plane_begin(&plane, image, v)) {

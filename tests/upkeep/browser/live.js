@@ -278,6 +278,28 @@ test('perspective and its mistake: u, v and w at the cursor, and levels as colou
         await tab(page, 'sampler', 'with mip levels');
         assert.deepEqual([await colorOf(page, 10, 420), await colorOf(page, 500, 20)], [coarse, '64,192,64']);
         await picture(page, 'levels');
+        await page.click('#reset');
+        const far = () => page.evaluate(() => [...Array(2000).keys()].flatMap( /* x 300 to 399, y 540 to 559 */
+            i => colorAt(shown, 300 + i % 100, 240 + Math.floor(i / 100))));
+        const shimmers = [];
+        for (const sampler of ['nearest', 'bilinear', 'with mip levels']) { /* between two neighbouring frames */
+            await tab(page, 'sampler', sampler);
+            await set(page, 'how far the camera walks', 0);
+            const before = await far();
+            await page.keyboard.press('ArrowRight');
+            await settled(page);
+            shimmers.push((await far()).reduce((sum, value, i) => sum + Math.abs(value - before[i]), 0));
+        }
+        assert.ok(Math.min(...shimmers.slice(0, 2)) > 3 * shimmers[2] && shimmers[2] > 0, `${shimmers}`);
+        await page.click('button:text-is("close")');
+        await settled(page);
+        await show(page, 'difference');
+        const wrongOnes = [];
+        for (const attempt of ['nearest by rounding', 'bilinear from corners', 'the sampler']) {
+            await tab(page, 'attempt', attempt);
+            wrongOnes.push(await wrongPixels(page));
+        }
+        assert.deepEqual(wrongOnes, [34216, 50876, 0]);
     }));
 
 test('the columns of a matrix are dragged; near plane; a corner through the spaces', () =>
@@ -439,6 +461,14 @@ test('rings of a sphere against the error; steps of toon; a window over the line
         await dragTo(page, [1.08 / 2 * 480 - .5, 1.42 / 2 * 360 - .5], [470, 180]);
         assert.ok(drawn > 0);
         assert.equal(await counted(page, 'lines_drawn'), 0);
+        await page.click('button:text-is("border")');
+        await show(page, 'difference');
+        const wrong = [];
+        for (const attempt of ['every pixel tested', 'ends rounded', 'sides in one direction', 'line()']) {
+            await tab(page, 'attempt', attempt);
+            wrong.push(await wrongPixels(page));
+        }
+        assert.deepEqual(wrong, [0, 40, 525, 0]);
     });
     await on('step04_flat', desktop, '#scene=flat&view=difference', async page => {
         const wrong = [];
@@ -612,8 +642,28 @@ test('zoomed to single pixels their values are shown, and none is blurred', () =
         assert.deepEqual(found.violations.map(v => `${v.id}: ${v.nodes.map(n => n.html)}`), []);
     }));
 
+/* The programs that run behind pages. */
+const programs = () => fs.readdirSync('/proc').filter(id => {
+    try {
+        return fs.readFileSync(`/proc/${id}/cmdline`, 'utf8').includes('--live') &&
+               fs.realpathSync(`/proc/${id}/cwd`) === fs.realpathSync(course);
+    } catch {
+        return false;
+    }
+});
+
 test('a fault of the compiler, a crash and an endless loop are said, and mended at the next save', () =>
     on('step05_zbuffer', desktop, '#scene=depth', async page => {
+        await page.focus('#picture');
+        for (const [signal, said] of [['SIGSTOP', 'does every loop end?'], ['SIGKILL', 'step05_zbuffer ended']]) {
+            await settled(page);
+            programs().forEach(id => process.kill(id, signal));
+            await page.keyboard.press('ArrowRight');
+            await has(page, 'message', said);
+            await page.keyboard.press('ArrowRight');
+            await page.waitForFunction(() => document.querySelector('#message').hidden);
+        }
+        await page.click('#reset');
         const begin = fs.readFileSync(main('step05_zbuffer'), 'utf8').match(/^static void show_depths.*{$/m)[0];
         await changed('step05_zbuffer', begin, `${begin} int x = ;`, async () => {
             await has(page, 'message', 'step05_zbuffer/main.c:', 60000);
@@ -656,12 +706,5 @@ test('nobody else is answered, two lessons go side by side, and nothing is left'
         server.kill('SIGINT');
         assert.equal(await ended, 0);
     }
-    assert.ok(!fs.readdirSync('/proc').some(id => {
-        try {
-            return fs.readFileSync(`/proc/${id}/cmdline`, 'utf8').includes('--live') &&
-                   fs.realpathSync(`/proc/${id}/cwd`) === fs.realpathSync(course);
-        } catch {
-            return false;
-        }
-    }));
+    assert.deepEqual(programs(), []);
 });
