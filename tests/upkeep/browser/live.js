@@ -199,7 +199,8 @@ test('corners of two neighbours move together, by mouse and keys, and no pixel i
         await page.click('#reset');
         await settled(page);
         const said = await notes(page, 22, 22);
-        assert.match(said, /1: E0 = \+0\.0000, on it\n.*\n.*\n.*\n.*2: E1 = \+0\.0000, on it, a top or left edge/);
+        assert.match(said, /1: weights 0\.0000, 0\.\d+, 0\.\d+\n/);
+        assert.match(said, /1: E0 = \+0\.0000, on it\n.*\n.*\n.*\n.*\n.*2: E1 = \+0\.0000, on it, a top or left edge/);
         await changed('step03_triangle', 'if (columns.begin >= columns.end', 'if (columns.begin < columns.end', async () => {
             await page.waitForFunction(() => shown.pixels.every((v, i) => i % 4 === 3 || v === 0), null, {timeout: 60000});
             assert.match(await notes(page, 20, 20), /1: E0 = \+80\.0000\n.*\n.*\n.*2: E0 = .*\n.*2: E1 = -80\.0000/); /* of part a */
@@ -309,13 +310,19 @@ test('the columns of a matrix are dragged; near plane; a corner through the spac
         await dragTo(page, [(1 + 2) / 4 * 405 - .5, 363 / 2 - .5], pixel(1, 1));
         near(await page.evaluate('chosen.right_y'), 1, 0.051);
         await set(page, 'times y', 0.2);
-        const [[x, y], [, , mappedW], [, onX, onY]] = (await notes(page, ...pixel(1 / 1.16, 1.8 / 1.16))).split('\n').map(
+        const [[x, y], [, , mappedW], [, onX, onY], ...matrix] = (await notes(page, ...pixel(1 / 1.16, 1.8 / 1.16))).split('\n').map(
             line => [...line.matchAll(/-?\d+\.?\d*/g)].map(Number));
         assert.deepEqual([x, y], [1, 0.8]);
         near(mappedW, 1.16);
         near(onX, 1 / 1.16);
         near(onY, 1.8 / 1.16, 0.051);
+        assert.deepEqual(matrix, [[1, 0, 0], [1, 1, 0], [0, 0.2, 1]]);
         await set(page, 'times y', 0);
+        await dragTo(page, pixel(0, 1), pixel(1, 1)); /* both columns at one place */
+        await dragTo(page, pixel(1, 1), pixel(1, 0)); /* and the first one away */
+        assert.deepEqual(await page.evaluate('[chosen.right_x, chosen.right_y, chosen.up_x, chosen.up_y]'), [1, 0, 1, 1]);
+        await dragTo(page, pixel(1, 1), pixel(0, 1));
+        await dragTo(page, pixel(1, 0), pixel(1, 1));
         assert.equal(await colorOf(page, ...pixel(0.28, 0.3 + 0.28)), '96,62,40');
         await picture(page, 'columns');
         await page.click('button:text-is("closeup")');
