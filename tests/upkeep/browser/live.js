@@ -597,6 +597,20 @@ test('n, l and r at the cursor are those of the formula', () =>
         [0, 1, 2].forEach(i => near(r[i], 2 * l[3] * n[i] - l[i], 4e-3));
         near(dot(r, v), v[3], 4e-3);
         near(dot(n, n), 1, 4e-3);
+        await set(page, 'of the ambient', 0);
+        await set(page, 'of the diffuse', 0);
+        await set(page, 'power of', 3); /* only the highlight, half as bright as white */
+        near(Number((await colorOf(page, 200, 600)).split(',')[0]), 127.5 * v[3] ** 3, 1);
+        await set(page, 'as much specular', 0);
+        await set(page, 'of the ambient', 1);
+        assert.equal(await colorOf(page, 200, 600), '255,128,255');
+        await page.click('#drags button:text-is("light")');
+        await dragTo(page, [200, 600], [350, 600]);
+        const turned = (await notes(page, 200, 600)).split('\n').map(
+            line => [...line.matchAll(/[-+]\d+\.\d+/g)].map(Number));
+        near(dot(turned[0], turned[1]), turned[1][3]);
+        near(turned[1][1], l[1]); /* about the vertical */
+        assert.ok(Math.abs(turned[1][0] - l[0]) > 0.1);
     }));
 
 test('by keys alone: a scene, a view, what is dragged, a number, back to the lesson', () =>
