@@ -4,8 +4,6 @@
 #define LESSON "../step02_wireframe/main.c"
 #include "../tests/lesson.h"
 
-#include "attempts.h"
-
 #include <stdio.h>
 
 static const struct color white = {255, 255, 255, 255};
@@ -53,8 +51,12 @@ static void draw_one_direction(struct model *model) {
     model->face_count = (model->face_count + 3) / 4;
     change_positions(model, 2.4, 0.26, 0.1);
     comparison_create(&compared, 480, 360);
-    attempt_4_one_direction(&compared.first, model);
-    attempt_1_every_side_tested(&compared.second, model);
+    struct side *sides = figure_memory(3 * model->face_count, sizeof *sides);
+    size_t count = attempt_one_direction(model, sides);
+    attempt_draw(&compared.first, model, sides, count, line);
+    list_sides(model, sides);
+    attempt_draw(&compared.second, model, sides, 3 * model->face_count, line);
+    free(sides);
     comparison_show(&compared, grey);
     figure_save_detail(&compared.shown, (struct detail){86, 30, 170, 100, .zoom = 4},
                        "one_direction");

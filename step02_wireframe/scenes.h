@@ -11,6 +11,8 @@
 #define line my_line
 #endif
 
+#include "attempts.h"
+
 /* What is drawn: a list of sides, made before the drawing. */
 struct wireframe {
     struct side *sides;
@@ -120,8 +122,18 @@ static struct vec3 seen(struct vec3 position, struct view view) {
                          position.z};
 }
 
+#define LINE_ATTEMPTS "0 line(), 1 every pixel tested, 2 ends rounded"
+enum { SIDES_ONE_WAY = 3 }; /* of scene border alone */
+
+/* By an attempt, or by what the lesson writes. */
+static attempt_line *line_of(const struct drawing *drawing) {
+    static attempt_line *const lines[] = {line, attempt_line_tested, attempt_line_ends_rounded};
+    return lines[(int)drawing_value(drawing, "attempt") % SIDES_ONE_WAY];
+}
+
 static void draw_sides(struct drawing *drawing, const struct wireframe *wireframe,
                        const struct vec3 *positions, struct view view, struct image *image) {
+    attempt_line *const draw = line_of(drawing);
     uint64_t drawn = 0, off_image = 0, too_far = 0;
     for (size_t i = 0; i < wireframe->side_count; i++) {
         struct side side = wireframe->sides[i];
@@ -131,7 +143,7 @@ static void draw_sides(struct drawing *drawing, const struct wireframe *wirefram
             too_far++;
             continue;
         }
-        uint64_t walked = line(image, a, b, color_rgb(255, 255, 255));
+        uint64_t walked = draw(image, a, b, color_rgb(255, 255, 255));
         drawing_count(drawing, "pixels_walked", walked);
         off_image += walked == 0;
         drawn += walked > 0;
@@ -154,6 +166,9 @@ static bool draw_part(struct drawing *drawing, const struct model *part, struct 
                       struct image *image, struct error *error) {
     struct wireframe wireframe = {0};
     bool made = wireframe_create(&wireframe, part, drawing->skip, error);
+    if (made && drawing_value(drawing, "attempt") == SIDES_ONE_WAY) {
+        wireframe.side_count = attempt_one_direction(part, wireframe.sides);
+    }
     if (made) {
         draw_sides(drawing, &wireframe, part->positions, view, image);
         drawing_count(drawing, "lines_shared_skipped", sides_of(part) - wireframe.side_count);
@@ -204,6 +219,11 @@ static bool draw_square(struct drawing *drawing, struct image *image, struct err
            draw_two_faces(drawing, 66037, 6000, (struct view){1.2836, 1.4869, 0.61}, image, error);
 }
 
+static const struct scene_value border_values[] = {
+    {"attempt", LINE_ATTEMPTS ", 3 sides in one direction", 0, SIDES_ONE_WAY, 1, 0},
+    {.name = NULL},
+};
+
 /* A quarter of the faces: a mesh with a border. */
 static bool draw_border(struct drawing *drawing, struct image *image, struct error *error) {
     struct model part = *drawing->model;
@@ -218,6 +238,7 @@ static const struct scene_value window_values[] = {
     {"middle_x", "middle of the window", -1, 1, 0.01, 0.08},
     {"middle_y", "middle of the window", -1, 1, 0.01, 0.42},
     {"larger", "times as large", 1, 40, 0.5, 6},
+    {"attempt", LINE_ATTEMPTS, 0, 2, 1, 0},
     {.name = NULL},
 };
 
@@ -301,11 +322,17 @@ static struct color cut_color(enum line_color color) {
                      color == WHITE || color == BLUE ? 255 : 0);
 }
 
+static const struct scene_value cut_values[] = {
+    {"attempt", LINE_ATTEMPTS, 0, 2, 1, 0},
+    {.name = NULL},
+};
+
 static bool draw_cut(struct drawing *drawing, struct image *image, struct error *error) {
     (void)error;
+    attempt_line *const draw = line_of(drawing);
     for (size_t i = 0; i < CUT_LINES; i++) {
         const struct cut_line *l = &cut_lines[i];
-        drawing_count(drawing, "pixels_walked", line(image, l->a, l->b, cut_color(l->color)));
+        drawing_count(drawing, "pixels_walked", draw(image, l->a, l->b, cut_color(l->color)));
     }
     return true;
 }
@@ -359,6 +386,7 @@ static const struct scene scenes[] = {
      .needs = NEEDS_MODEL,
      .width = 480,
      .height = 360,
+     .values = border_values,
      .draw = draw_border},
     {.name = "enlarged",
      .detail = true,
@@ -367,7 +395,11 @@ static const struct scene scenes[] = {
      .height = 360,
      .values = window_values,
      .draw = draw_enlarged},
-    {.name = "cut", .width = CUT_WIDTH, .height = CUT_HEIGHT, .draw = draw_cut},
+    {.name = "cut",
+     .width = CUT_WIDTH,
+     .height = CUT_HEIGHT,
+     .values = cut_values,
+     .draw = draw_cut},
     {.name = "walked", .width = 320, .height = 4 * (CUT_LINES + 2), .draw = draw_walked},
 };
 

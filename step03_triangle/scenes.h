@@ -420,7 +420,8 @@ static uint64_t fill_shape(const struct drawing *drawing, struct image *image,
     return 0;
 }
 
-/* What the three edges say of the probed pixel: part b's, or before it is written, part a's. */
+/* What the three edges say of the probed pixel: part b's, or before it is written, part a's; and
+ * the weights there. */
 static void note_edges(struct drawing *drawing, const struct image *image,
                        const struct vec2 screen[3], const struct fixed2 corner[3], size_t number) {
     struct edges edges;
@@ -441,6 +442,9 @@ static void note_edges(struct drawing *drawing, const struct image *image,
                      : value >= e->least ? "inside"
                                          : "outside");
     }
+    const struct vec3 weight = triangle_weights(&edges, drawing->probe.x, drawing->probe.y);
+    drawing_note(drawing, "triangle %zu: weights %.4f, %.4f, %.4f", number, weight.x, weight.y,
+                 weight.z);
 }
 
 /* Should the pixel be drawn? Its centre is inside, and a hair to its right and below as well. */

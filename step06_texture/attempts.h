@@ -45,7 +45,7 @@ static inline struct color attempt_sample_bilinear(const struct texture *texture
 /* ---- Triangles ---- */
 
 /* Exact coordinates and a sampler that knows nothing of mip levels. */
-static inline void attempt_perspective(struct image *image, const struct vertex v[3],
+static inline void attempt_perspective(struct image *image, const struct vertex *v,
                                        const struct texture *texture, attempt_sampler *sampler) {
     struct quotients plane;
     if (!plane_begin(&plane, image, v)) {
@@ -90,18 +90,9 @@ static inline void attempt_4_no_levels(struct image *image, const struct vertex 
  * do not become smaller with distance. */
 static inline void attempt_5_affine(struct image *image, const struct vertex v[3],
                                     const struct texture *texture) {
-    struct quotients plane;
-    if (!plane_begin(&plane, image, v)) {
-        return;
-    }
-    for (int y = plane.edges.y_begin; y < plane.edges.y_end; y++) {
-        struct span span = edges_span(&plane.edges, y);
-        for (int x = span.begin; x < span.end; x++) {
-            struct vec3 weight = edges_weights(&plane.edges, x, y);
-            struct vec2 uv = vec2_interpolate(weight, v[0].uv, v[1].uv, v[2].uv);
-            image_set(image, x, y, attempt_sample_bilinear(texture, uv));
-        }
-    }
+    struct vertex flat[3] = {v[0], v[1], v[2]};
+    flat[0].recip_w = flat[1].recip_w = flat[2].recip_w = 1;
+    attempt_4_no_levels(image, flat, texture);
 }
 
 /* ---- The exact answer ---- */

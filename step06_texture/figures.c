@@ -4,7 +4,6 @@
 #define LESSON "../step06_texture/main.c"
 #include "../tests/lesson.h"
 
-#include "attempts.h"
 #include "files/model_file.h"
 
 #include <stdio.h>

@@ -275,10 +275,14 @@ static bool make_colored(struct texture *texture, struct error *error) {
 #define PLANE_NEAR   0.75
 #define PLANE_FAR    60.0
 
+#include "attempts.h"
+
 /* What one can change: every scene has its own sampler. */
 #define VIEW_VALUES(sampler)                                                                       \
     {                                                                                              \
         {"sampler", "0 nearest, 1 bilinear, 2 with mip levels", 0, 2, 1, sampler},                 \
+            {"attempt", "0 the sampler, 1 nearest by rounding, 2 bilinear from corners", 0, 2, 1,  \
+             0},                                                                                   \
             {"affine", "u and v are mixed without 1/w", 0, 1, 1, 0},                               \
             {"level", "the finest mip level that is read", 0, 8, 1, 0},                            \
             {"colors", "every mip level has its own colour", 0, 1, 1, 0},                          \
@@ -418,6 +422,7 @@ static struct texture from_level(const struct texture *texture, size_t first) {
     return coarse;
 }
 
+/* By an attempt, or by what the lesson writes. */
 static void draw_plane(struct drawing *drawing, struct image *image, const struct vertex corners[4],
                        const struct texture *texture) {
     const struct vertex first[3] = {corners[0], corners[1], corners[2]};
@@ -430,6 +435,15 @@ static void draw_plane(struct drawing *drawing, struct image *image, const struc
     texture = drawing_value(drawing, "colors") != 0 ? &state->picture[COLORED] : texture;
     const struct texture coarse = from_level(texture, (size_t)drawing_value(drawing, "level"));
     texture = &coarse;
+    static void (*const attempts[])(struct image *, const struct vertex[3],
+                                    const struct texture *) = {attempt_1_rounded,
+                                                               attempt_3_unshifted};
+    const int attempt = (int)drawing_value(drawing, "attempt");
+    if (attempt > 0) {
+        attempts[attempt - 1](image, first, texture);
+        attempts[attempt - 1](image, second, texture);
+        return;
+    }
     perspective_triangle(&canvas, first, texture);
     perspective_triangle(&canvas, second, texture);
     drawing_count(drawing, "pixels_written", canvas.pixels_written);

@@ -200,6 +200,10 @@ static void note_mapped(struct drawing *drawing, const struct image *image,
         drawing_note(drawing, "corner %.2f %.2f  w 1", nearest.x, nearest.y);
         drawing_note(drawing, "mapped %.3f %.3f  w %.3f", p.x, p.y, p.w);
         drawing_note(drawing, "on the plane w = 1: %.3f %.3f", p.x / p.w, p.y / p.w);
+        for (int row = 0; row < 4; row += row == 1 ? 2 : 1) { /* all but z */
+            const double *m = map->m[row];
+            drawing_note(drawing, "| %5.2f %5.2f %5.2f |", m[0], m[1], m[3]);
+        }
     }
 }
 

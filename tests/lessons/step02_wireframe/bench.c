@@ -8,8 +8,6 @@
 #define LESSON "../step02_wireframe/main.c"
 #include "lesson.h"
 
-#include "../../../step02_wireframe/attempts.h"
-
 #include "bench/bench.h"
 #include "oracle/oracle.h"
 
@@ -23,6 +21,7 @@ static struct {
     struct model model;
     struct drawing drawing;
     struct wireframe wireframe; /* the list of sides, each once */
+    struct side *listed;        /* room for all that the faces have */
     struct image timed;         /* IMAGE_GREY */
     struct image exact;         /* IMAGE_GREY, 255 where a line should be */
     size_t pixel_count;         /* of these */
@@ -71,16 +70,20 @@ static void frame_find_exact(void) {
 
 enum frame_version { EVERY_TESTED, EVERY_CUT, ONCE_TESTED, ONE_DIRECTION, ENDS_ROUNDED, HOUSE };
 
-static void frame_draw_rounded(void) {
-    for (size_t i = 0; i < frame.wireframe.side_count; i++) {
-        const struct model *model = &frame.model;
-        struct side side = frame.wireframe.sides[i];
-        struct pixel a, b;
-        if (to_pixel(model->positions[side.low], SIDE, SIDE, &a) &&
-            to_pixel(model->positions[side.high], SIDE, SIDE, &b)) {
-            attempt_line_ends_rounded(&frame.timed, a, b, color_grey(255));
-        }
-    }
+/* Every side of the faces, listed while it counts. */
+static void frame_draw_every(attempt_line *draw) {
+    list_sides(&frame.model, frame.listed);
+    attempt_draw(&frame.timed, &frame.model, frame.listed, 3 * frame.model.face_count, draw);
+}
+
+static void frame_draw_once(attempt_line *draw) {
+    const struct wireframe *list = &frame.wireframe;
+    attempt_draw(&frame.timed, &frame.model, list->sides, list->side_count, draw);
+}
+
+static void frame_draw_one_direction(void) {
+    size_t count = attempt_one_direction(&frame.model, frame.listed);
+    attempt_draw(&frame.timed, &frame.model, frame.listed, count, line);
 }
 
 /* The scene as main.c draws it. */
@@ -92,24 +95,22 @@ static void frame_draw_house(void) {
 
 /* A frame begins with an empty image. */
 static void frame_run(struct bench_choice choice) {
-    const struct model *model = &frame.model;
-    const struct wireframe *list = &frame.wireframe;
     image_clear(&frame.timed, color_grey(0));
     switch (choice.way) {
     case EVERY_TESTED:
-        attempt_1_every_side_tested(&frame.timed, model);
+        frame_draw_every(attempt_line_tested);
         break;
     case EVERY_CUT:
-        attempt_2_every_side_cut(&frame.timed, model);
+        frame_draw_every(line);
         break;
     case ONCE_TESTED:
-        attempt_3_each_once_tested(&frame.timed, model, list->sides, list->side_count);
+        frame_draw_once(attempt_line_tested);
         break;
     case ONE_DIRECTION:
-        attempt_4_one_direction(&frame.timed, model);
+        frame_draw_one_direction();
         break;
     case ENDS_ROUNDED:
-        frame_draw_rounded();
+        frame_draw_once(attempt_line_ends_rounded);
         break;
     default:
         frame_draw_house();
@@ -157,6 +158,10 @@ static bool frame_setup(struct error *error) {
         !image_create(&frame.exact, SIDE, SIDE, IMAGE_GREY, error) ||
         !prepare(&frame.drawing, SIDE, SIDE, error)) {
         return false;
+    }
+    frame.listed = calloc(3 * frame.model.face_count, sizeof *frame.listed);
+    if (frame.listed == NULL) {
+        return error_out_of_memory(error);
     }
     frame_find_exact();
     return true;

@@ -11,20 +11,19 @@
 
 struct neighbours;
 struct quotients;
+struct vertex;
 INLINED struct color sample_nearest(const struct texture *texture, struct vec2 uv);
 INLINED struct vec4 mix_in_row(const struct texture_level *level, size_t row, struct neighbours x);
 INLINED struct vec4 sample_bilinear(const struct texture *texture, struct vec2 uv, size_t number);
 INLINED struct vec4 sample_trilinear(const struct texture *texture, struct vec2 uv, double level);
 INLINED double mip_level(struct vec2 right, struct vec2 up, const struct texture *texture);
 INLINED struct vec2 plane_uv(const struct quotients *plane, int x, int y, double *w);
+typedef struct color attempt_sampler(const struct texture *texture, struct vec2 uv);
+INLINED void attempt_perspective(struct image *image, const struct vertex *v,
+                                 const struct texture *texture, attempt_sampler *sampler);
 
 #define LESSON "../step06_texture/main.c"
 #include "lesson.h"
-
-typedef struct color attempt_sampler(const struct texture *texture, struct vec2 uv);
-INLINED void attempt_perspective(struct image *image, const struct vertex v[3],
-                                 const struct texture *texture, attempt_sampler *sampler);
-#include "../../../step06_texture/attempts.h"
 
 #include "oracle/oracle.h"
 

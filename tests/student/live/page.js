@@ -430,8 +430,8 @@ function points() {
     })));
 }
 
-// All points at the place of this one: corners of neighbours stay together.
-const together = one => points().filter(p => p.x === one.x && p.y === one.y);
+// All corners at the place of this one: those of neighbours stay together. A point with a name is alone.
+const together = one => points().filter(p => p.x === one.x && p.y === one.y && p.name === one.name);
 
 const pointPlace = (p, size, left, top) => [left + (p.x + .5) * size, top + (shown.height - .5 - p.y) * size];
 
@@ -774,6 +774,7 @@ function chooseScene(name) {
     chosen = {scene: name};
     center = plain = null;
     point = 0;
+    drag = drag === "picture" ? null : drag; // what is there to drag instead?
     buildControls();
     writeAddress();
     readReference();

@@ -20,6 +20,7 @@
 #include "check/run.h"
 
 #include <dirent.h>
+#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -179,16 +180,14 @@ static void draw(struct live *live, const struct bytes *request, struct bytes *a
     }
     char why[1200];
     snprintf(why, sizeof why, "%s %s", live->step, error.message);
-    if (live->explained != live->version) {
+    const bool crashed = strstr(error.message, "crashed") != NULL;
+    if (crashed && live->explained != live->version) {
         set_message(live, why);
-        if (strstr(error.message, "crashed") != NULL) {
-            explain(live, &asked);
-        }
+        explain(live, &asked);
         live->explained = live->version;
     }
     answer->size = 0;
-    bytes_print(answer, "error %s\n",
-                live->message.size > 0 ? (const char *)live->message.data : why);
+    bytes_print(answer, "error %s\n", crashed ? (const char *)live->message.data : why);
 }
 
 /* ---- Answers ---- */
@@ -275,11 +274,15 @@ int main(int argc, char **argv) {
         fprintf(stderr, "usage: live BUILD MAKE STEP [MODEL]\n");
         return 2;
     }
-    struct live live = {
-        .build = argv[1], .make = argv[2], .step = argv[3], .model = argc > 4 ? argv[4] : ""};
+    struct live live = {.build = argv[1],
+                        .make = argv[2],
+                        .step = argv[3],
+                        .model = argc > 4 ? argv[4] : "",
+                        .version = 1};
     struct result_path place = path_of(&live, "served/");
     *strrchr(place.text, '/') = '\0';
     run_catch_signals();
+    signal(SIGPIPE, SIG_IGN); /* a program that was killed is started again */
     setenv("ASAN_OPTIONS", "detect_leaks=0:handle_abort=1",
            1); /* of programs that explain() runs */
     setenv("UBSAN_OPTIONS", "print_stacktrace=1", 1);

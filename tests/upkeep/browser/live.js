@@ -199,7 +199,8 @@ test('corners of two neighbours move together, by mouse and keys, and no pixel i
         await page.click('#reset');
         await settled(page);
         const said = await notes(page, 22, 22);
-        assert.match(said, /1: E0 = \+0\.0000, on it\n.*\n.*\n.*\n.*2: E1 = \+0\.0000, on it, a top or left edge/);
+        assert.match(said, /1: weights 0\.0000, 0\.\d+, 0\.\d+\n/);
+        assert.match(said, /1: E0 = \+0\.0000, on it\n.*\n.*\n.*\n.*\n.*2: E1 = \+0\.0000, on it, a top or left edge/);
         await changed('step03_triangle', 'if (columns.begin >= columns.end', 'if (columns.begin < columns.end', async () => {
             await page.waitForFunction(() => shown.pixels.every((v, i) => i % 4 === 3 || v === 0), null, {timeout: 60000});
             assert.match(await notes(page, 20, 20), /1: E0 = \+80\.0000\n.*\n.*\n.*2: E0 = .*\n.*2: E1 = -80\.0000/); /* of part a */
@@ -278,6 +279,28 @@ test('perspective and its mistake: u, v and w at the cursor, and levels as colou
         await tab(page, 'sampler', 'with mip levels');
         assert.deepEqual([await colorOf(page, 10, 420), await colorOf(page, 500, 20)], [coarse, '64,192,64']);
         await picture(page, 'levels');
+        await page.click('#reset');
+        const far = () => page.evaluate(() => [...Array(2000).keys()].flatMap( /* x 300 to 399, y 540 to 559 */
+            i => colorAt(shown, 300 + i % 100, 240 + Math.floor(i / 100))));
+        const shimmers = [];
+        for (const sampler of ['nearest', 'bilinear', 'with mip levels']) { /* between two neighbouring frames */
+            await tab(page, 'sampler', sampler);
+            await set(page, 'how far the camera walks', 0);
+            const before = await far();
+            await page.keyboard.press('ArrowRight');
+            await settled(page);
+            shimmers.push((await far()).reduce((sum, value, i) => sum + Math.abs(value - before[i]), 0));
+        }
+        assert.ok(Math.min(...shimmers.slice(0, 2)) > 3 * shimmers[2] && shimmers[2] > 0, `${shimmers}`);
+        await page.click('button:text-is("close")');
+        await settled(page);
+        await show(page, 'difference');
+        const wrongOnes = [];
+        for (const attempt of ['nearest by rounding', 'bilinear from corners', 'the sampler']) {
+            await tab(page, 'attempt', attempt);
+            wrongOnes.push(await wrongPixels(page));
+        }
+        assert.deepEqual(wrongOnes, [34216, 50876, 0]);
     }));
 
 test('the columns of a matrix are dragged; near plane; a corner through the spaces', () =>
@@ -287,13 +310,19 @@ test('the columns of a matrix are dragged; near plane; a corner through the spac
         await dragTo(page, [(1 + 2) / 4 * 405 - .5, 363 / 2 - .5], pixel(1, 1));
         near(await page.evaluate('chosen.right_y'), 1, 0.051);
         await set(page, 'times y', 0.2);
-        const [[x, y], [, , mappedW], [, onX, onY]] = (await notes(page, ...pixel(1 / 1.16, 1.8 / 1.16))).split('\n').map(
+        const [[x, y], [, , mappedW], [, onX, onY], ...matrix] = (await notes(page, ...pixel(1 / 1.16, 1.8 / 1.16))).split('\n').map(
             line => [...line.matchAll(/-?\d+\.?\d*/g)].map(Number));
         assert.deepEqual([x, y], [1, 0.8]);
         near(mappedW, 1.16);
         near(onX, 1 / 1.16);
         near(onY, 1.8 / 1.16, 0.051);
+        assert.deepEqual(matrix, [[1, 0, 0], [1, 1, 0], [0, 0.2, 1]]);
         await set(page, 'times y', 0);
+        await dragTo(page, pixel(0, 1), pixel(1, 1)); /* both columns at one place */
+        await dragTo(page, pixel(1, 1), pixel(1, 0)); /* and the first one away */
+        assert.deepEqual(await page.evaluate('[chosen.right_x, chosen.right_y, chosen.up_x, chosen.up_y]'), [1, 0, 1, 1]);
+        await dragTo(page, pixel(1, 1), pixel(0, 1));
+        await dragTo(page, pixel(1, 0), pixel(1, 1));
         assert.equal(await colorOf(page, ...pixel(0.28, 0.3 + 0.28)), '96,62,40');
         await picture(page, 'columns');
         await page.click('button:text-is("closeup")');
@@ -439,6 +468,14 @@ test('rings of a sphere against the error; steps of toon; a window over the line
         await dragTo(page, [1.08 / 2 * 480 - .5, 1.42 / 2 * 360 - .5], [470, 180]);
         assert.ok(drawn > 0);
         assert.equal(await counted(page, 'lines_drawn'), 0);
+        await page.click('button:text-is("border")');
+        await show(page, 'difference');
+        const wrong = [];
+        for (const attempt of ['every pixel tested', 'ends rounded', 'sides in one direction', 'line()']) {
+            await tab(page, 'attempt', attempt);
+            wrong.push(await wrongPixels(page));
+        }
+        assert.deepEqual(wrong, [0, 40, 525, 0]);
     });
     await on('step04_flat', desktop, '#scene=flat&view=difference', async page => {
         const wrong = [];
@@ -560,6 +597,20 @@ test('n, l and r at the cursor are those of the formula', () =>
         [0, 1, 2].forEach(i => near(r[i], 2 * l[3] * n[i] - l[i], 4e-3));
         near(dot(r, v), v[3], 4e-3);
         near(dot(n, n), 1, 4e-3);
+        await set(page, 'of the ambient', 0);
+        await set(page, 'of the diffuse', 0);
+        await set(page, 'power of', 3); /* only the highlight, half as bright as white */
+        near(Number((await colorOf(page, 200, 600)).split(',')[0]), 127.5 * v[3] ** 3, 1);
+        await set(page, 'as much specular', 0);
+        await set(page, 'of the ambient', 1);
+        assert.equal(await colorOf(page, 200, 600), '255,128,255');
+        await page.click('#drags button:text-is("light")');
+        await dragTo(page, [200, 600], [350, 600]);
+        const turned = (await notes(page, 200, 600)).split('\n').map(
+            line => [...line.matchAll(/[-+]\d+\.\d+/g)].map(Number));
+        near(dot(turned[0], turned[1]), turned[1][3]);
+        near(turned[1][1], l[1]); /* about the vertical */
+        assert.ok(Math.abs(turned[1][0] - l[0]) > 0.1);
     }));
 
 test('by keys alone: a scene, a view, what is dragged, a number, back to the lesson', () =>
@@ -612,8 +663,28 @@ test('zoomed to single pixels their values are shown, and none is blurred', () =
         assert.deepEqual(found.violations.map(v => `${v.id}: ${v.nodes.map(n => n.html)}`), []);
     }));
 
+/* The programs that run behind pages. */
+const programs = () => fs.readdirSync('/proc').filter(id => {
+    try {
+        return fs.readFileSync(`/proc/${id}/cmdline`, 'utf8').includes('--live') &&
+               fs.realpathSync(`/proc/${id}/cwd`) === fs.realpathSync(course);
+    } catch {
+        return false;
+    }
+});
+
 test('a fault of the compiler, a crash and an endless loop are said, and mended at the next save', () =>
     on('step05_zbuffer', desktop, '#scene=depth', async page => {
+        await page.focus('#picture');
+        for (const [signal, said] of [['SIGSTOP', 'does every loop end?'], ['SIGKILL', 'step05_zbuffer ended']]) {
+            await settled(page);
+            programs().forEach(id => process.kill(id, signal));
+            await page.keyboard.press('ArrowRight');
+            await has(page, 'message', said);
+            await page.keyboard.press('ArrowRight');
+            await page.waitForFunction(() => document.querySelector('#message').hidden);
+        }
+        await page.click('#reset');
         const begin = fs.readFileSync(main('step05_zbuffer'), 'utf8').match(/^static void show_depths.*{$/m)[0];
         await changed('step05_zbuffer', begin, `${begin} int x = ;`, async () => {
             await has(page, 'message', 'step05_zbuffer/main.c:', 60000);
@@ -656,12 +727,5 @@ test('nobody else is answered, two lessons go side by side, and nothing is left'
         server.kill('SIGINT');
         assert.equal(await ended, 0);
     }
-    assert.ok(!fs.readdirSync('/proc').some(id => {
-        try {
-            return fs.readFileSync(`/proc/${id}/cmdline`, 'utf8').includes('--live') &&
-                   fs.realpathSync(`/proc/${id}/cwd`) === fs.realpathSync(course);
-        } catch {
-            return false;
-        }
-    }));
+    assert.deepEqual(programs(), []);
 });
