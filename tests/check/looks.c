@@ -259,14 +259,9 @@ bool looks_small(struct image *small, const char *path, size_t row, const struct
     }
     bool is_there = row >= LOOKS_FIRST_ROW && sheet.height == size.height &&
                     (row - LOOKS_FIRST_ROW + 1) * size.width <= sheet.width;
-    bool done = is_there ? image_create(small, size.width, size.height, IMAGE_BGR, error)
+    bool done = is_there ? picture_part(small, &sheet, (row - LOOKS_FIRST_ROW) * size.width, 0, 1,
+                                        size.width, size.height, error)
                          : error_set(error, "%.900s: has no picture %zu", path, row);
-    for (size_t y = 0; done && y < size.height; y++) {
-        for (size_t x = 0; x < size.width; x++) {
-            size_t column = (row - LOOKS_FIRST_ROW) * size.width + x;
-            image_set(small, (int)x, (int)y, image_get(&sheet, (int)column, (int)y));
-        }
-    }
     image_free(&sheet);
     return done;
 }
