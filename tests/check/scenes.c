@@ -32,8 +32,8 @@ static long step_number(const char *name) {
     return *end == '_' ? number : -1;
 }
 
-/* The table's last step if it has this name and only pictures so far, otherwise a new one; NULL with
- * a message. */
+/* The table's last step if it has this name and only pictures so far, otherwise a new one; NULL
+ * with a message. */
 static struct checked_step *find_or_add_step(struct scene_table *table, struct text *text,
                                              struct word word, struct error *error) {
     char name[SCENE_NAME_LIMIT];
