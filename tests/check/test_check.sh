@@ -230,6 +230,7 @@ ROWsame step1_a b 1.1 1 moved,moved 1|:2: 'moved,moved' are no
 ROWsame step1_a b 1.1 1 moved|:2: '' is neither 'exact' nor a
 ROWsame step1_a b 1.1 1 moved 1 2|:2: unexpected '2'
 ROWstep1_a b 1.1 1 exact|:2: b is here twice
+ROWcall step1_a numbers 1.1 1\nstep1_a c 1.1 1 exact|:3: the scenes of step1_a must be together
 ROWstep2_a b 2.1 1 1 1 1\n\nstep1_a c 1.1 1 exact|:4: the scenes of step1_a must be together
 END
 
