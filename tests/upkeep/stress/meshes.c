@@ -122,10 +122,8 @@ static bool same_in_every_order(const void *tried) {
     return same;
 }
 
-static const struct case_kind mesh_in_order_cases = {sizeof(struct mesh_case), make_mesh_case};
-
 const struct property mesh_properties[] = {
-    PROPERTY("mesh: same image in every order", AGAINST_ITSELF, 20000, mesh_in_order_cases,
-             .holds = same_in_every_order),
+    PROPERTY("mesh: same image in every order", AGAINST_ITSELF, 20000, struct mesh_case,
+             make_mesh_case, .holds = same_in_every_order),
     {.name = NULL},
 };
