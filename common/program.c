@@ -98,23 +98,24 @@ static bool check_camera(const struct scene *scene, struct error *error) {
 
 /* How many frames are side by side on a sheet, and how many rows of them there are. In a file that
  * moves each frame has the size of the scene; those of a sheet share it out. */
-static void sheet_layout(const struct options *options, const struct scene *scene, size_t *columns,
-                         size_t *rows) {
-    size_t count = options->format->write_frames != NULL ? 1 : scene->frames;
-    *columns = 1;
-    while (*columns * *columns < count) {
-        (*columns)++;
+struct sheet {
+    size_t columns, rows;
+};
+
+static struct sheet sheet_of(const struct options *options, const struct scene *scene) {
+    size_t count = options->format->write_frames != NULL ? 1 : scene->frames, columns = 1;
+    while (columns * columns < count) {
+        columns++;
     }
-    *rows = (count + *columns - 1) / *columns;
+    return (struct sheet){columns, (count + columns - 1) / columns};
 }
 
 static bool check_size(const struct options *options, const struct scene *scene,
                        struct error *error) {
-    size_t columns, rows;
-    sheet_layout(options, scene, &columns, &rows);
-    return (scene->width >= columns && scene->height >= rows) ||
+    const struct sheet sheet = sheet_of(options, scene);
+    return (scene->width >= sheet.columns && scene->height >= sheet.rows) ||
            error_set(error, "scene %s: %zu frames need at least %zux%zu pixels", scene->name,
-                     scene->frames, columns, rows);
+                     scene->frames, sheet.columns, sheet.rows);
 }
 
 /* Do the options of the command line go together with the scenes? */
@@ -140,15 +141,18 @@ static bool check_options(const struct command *command, struct error *error) {
 struct frames {
     struct image *frame;
     size_t count, width, height; /* how many, and the pixels of each */
+    struct sheet sheet;
 };
 
 static bool frames_create(struct frames *frames, const struct options *options,
                           const struct scene *scene, struct error *error) {
-    size_t columns, rows;
-    *frames = (struct frames){.count = scene->frames};
-    sheet_layout(options, scene, &columns, &rows);
-    frames->width = scene->width / columns;
-    frames->height = scene->height / rows;
+    const struct sheet sheet = sheet_of(options, scene);
+    *frames = (struct frames){
+        .count = scene->frames,
+        .sheet = sheet,
+        .width = scene->width / sheet.columns,
+        .height = scene->height / sheet.rows,
+    };
     frames->frame = calloc(frames->count, sizeof *frames->frame);
     if (frames->frame == NULL) {
         return error_out_of_memory(error);
@@ -169,30 +173,16 @@ static void frames_free(struct frames *frames) {
     *frames = (struct frames){0};
 }
 
-/* Copy a frame into its place on the sheet, `columns` frames in a row, the first one top left. */
-static void place_frame(struct image *sheet, const struct image *frame, size_t index,
-                        size_t columns, size_t rows) {
-    size_t left = index % columns * frame->width;
-    size_t bottom = (rows - 1 - index / columns) * frame->height;
+/* Copy a frame into its place on the sheet, the first one top left. */
+static void place_frame(struct image *image, const struct frames *frames, size_t index) {
+    const struct image *frame = &frames->frame[index];
+    size_t left = index % frames->sheet.columns * frame->width;
+    size_t bottom = (frames->sheet.rows - 1 - index / frames->sheet.columns) * frame->height;
     size_t row_size = frame->width * frame->format;
     for (size_t y = 0; y < frame->height; y++) {
-        memcpy(sheet->pixels + ((bottom + y) * sheet->width + left) * frame->format,
+        memcpy(image->pixels + ((bottom + y) * image->width + left) * frame->format,
                frame->pixels + y * row_size, row_size);
     }
-}
-
-static bool make_sheet(struct image *sheet, const struct options *options,
-                       const struct scene *scene, const struct frames *frames,
-                       struct error *error) {
-    size_t columns, rows;
-    sheet_layout(options, scene, &columns, &rows);
-    if (!image_create(sheet, scene->width, scene->height, scene->format, error)) {
-        return false;
-    }
-    for (size_t i = 0; i < frames->count; i++) {
-        place_frame(sheet, &frames->frame[i], i, columns, rows);
-    }
-    return true;
 }
 
 /* ---- Saving ---- */
@@ -207,8 +197,13 @@ static bool write_frames(const char *path, const struct options *options, const 
         return format->write_frames(frames->frame, frames->count, FRAME_DELAY_MS, path, error);
     }
     struct image sheet;
-    bool done =
-        make_sheet(&sheet, options, scene, frames, error) && format->write(&sheet, path, error);
+    if (!image_create(&sheet, scene->width, scene->height, scene->format, error)) {
+        return false;
+    }
+    for (size_t i = 0; i < frames->count; i++) {
+        place_frame(&sheet, frames, i);
+    }
+    bool done = format->write(&sheet, path, error);
     image_free(&sheet);
     return done;
 }

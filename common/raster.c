@@ -6,9 +6,8 @@
 
 /* ---- Parts of an image ---- */
 
-struct rectangle grid_cell(size_t width, size_t height, int columns, int rows, int column,
-                           int row) {
-    int w = (int)width, h = (int)height;
+struct rectangle grid_cell(size_t width, size_t height, int columns, int rows, int cell) {
+    int w = (int)width, h = (int)height, column = cell % columns, row = cell / columns;
     int left = w * column / columns, right = w * (column + 1) / columns;
     int bottom = h * (rows - 1 - row) / rows, top = h * (rows - row) / rows;
     return (struct rectangle){left, bottom, right - left, top - bottom};

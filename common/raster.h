@@ -39,9 +39,10 @@ struct rectangle {
     int x, y, width, height;
 };
 
-/* Cell (column, row) of a grid over an image of that size, row 0 at the top. The cells share out
- * all of its pixels; an image with fewer pixels than cells gives some of them none. */
-struct rectangle grid_cell(size_t width, size_t height, int columns, int rows, int column, int row);
+/* A cell of a grid over an image of that size, counted row by row from the top left, from 0. The
+ * cells share out all of its pixels; an image with fewer pixels than cells gives some of them
+ * none. */
+struct rectangle grid_cell(size_t width, size_t height, int columns, int rows, int cell);
 
 /* ---- Lines (taught in step01_line, cut to the image in step02_wireframe) ---- */
 

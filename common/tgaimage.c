@@ -23,9 +23,17 @@ static void *allocate_lines(size_t height, size_t row) {
     return lines > 0 ? aligned_alloc(CACHE_LINE, lines * CACHE_LINE) : NULL;
 }
 
-/* As image_create(); but where the caller sets all pixels, none is cleared before. */
-static bool create(struct image *image, size_t width, size_t height, enum image_format format,
-                   bool cleared, struct error *error) {
+/* Bytes of a row and of the whole image. */
+static size_t row_size(const struct image *image) {
+    return image->width * (size_t)image->format;
+}
+
+static size_t image_size(const struct image *image) {
+    return image->height * row_size(image);
+}
+
+bool image_create_unset(struct image *image, size_t width, size_t height, enum image_format format,
+                        struct error *error) {
     assert(format == IMAGE_GREY || format == IMAGE_BGR || format == IMAGE_BGRA);
     *image = (struct image){0};
     if (width < 1 || height < 1 || width > IMAGE_SIZE_LIMIT || height > IMAGE_SIZE_LIMIT) {
@@ -38,9 +46,6 @@ static bool create(struct image *image, size_t width, size_t height, enum image_
         return error_set(error, "out of memory for an image of %zux%zu pixels", width, height);
     }
     ask_for_large_pages(pixels, height * row);
-    if (cleared) {
-        memset(pixels, 0, height * row);
-    }
     image->width = width;
     image->height = height;
     image->format = format;
@@ -50,21 +55,16 @@ static bool create(struct image *image, size_t width, size_t height, enum image_
 
 bool image_create(struct image *image, size_t width, size_t height, enum image_format format,
                   struct error *error) {
-    return create(image, width, height, format, true, error);
+    if (!image_create_unset(image, width, height, format, error)) {
+        return false;
+    }
+    memset(image->pixels, 0, image_size(image));
+    return true;
 }
 
 void image_free(struct image *image) {
     free(image->pixels);
     *image = (struct image){0};
-}
-
-/* Bytes of a row and of the whole image. */
-static size_t row_size(const struct image *image) {
-    return image->width * (size_t)image->format;
-}
-
-static size_t image_size(const struct image *image) {
-    return image->height * row_size(image);
 }
 
 static bool is_inside(const struct image *image, int x, int y) {
@@ -120,16 +120,12 @@ static inline void store_colors(uint8_t *pixel, enum image_format format, struct
 /* `count` pixels become `color`: the format is asked once and not for each of them. */
 static void fill_pixels(uint8_t *pixel, enum image_format format, struct color color,
                         size_t count) {
-    switch (format) {
-    case IMAGE_GREY:
+    if (format == IMAGE_GREY) {
         store_colors(pixel, IMAGE_GREY, color, count);
-        break;
-    case IMAGE_BGR:
+    } else if (format == IMAGE_BGR) {
         store_colors(pixel, IMAGE_BGR, color, count);
-        break;
-    case IMAGE_BGRA:
+    } else {
         store_colors(pixel, IMAGE_BGRA, color, count);
-        break;
     }
 }
 
@@ -188,7 +184,7 @@ enum {
 /* The last 26 bytes of a version 2.0 file: no extension area, no developer directory. */
 static const uint8_t tga_footer[26] = "\0\0\0\0\0\0\0\0TRUEVISION-XFILE.";
 
-/* What the header says, and where the reader is. */
+/* What the header says, and where what it describes is. */
 struct tga {
     unsigned id_size, map_type, type, map_first, map_length, map_depth;
     unsigned width, height, depth, descriptor;
@@ -197,7 +193,7 @@ struct tga {
     size_t stored;             /* bytes of a stored pixel */
     enum image_format format;  /* of the image that comes out */
     const uint8_t *map;        /* map_length colours */
-    const uint8_t *next, *end; /* the file's bytes that are not yet read */
+    const uint8_t *next, *end; /* the file's bytes that are not yet read: pixels, at last */
 };
 
 static unsigned get_u16(const uint8_t *bytes) {
@@ -344,11 +340,10 @@ static void convert_colors(const struct tga *tga, const uint8_t *stored, size_t 
     }
 }
 
-/* The next `count` stored pixels of the file, which is known to hold them, become pixels. Colours
- * that the map does not have are black and opaque, as in PNG. */
-static void convert_pixels(struct tga *tga, size_t count, uint8_t *pixels) {
-    const uint8_t *stored = tga->next;
-    tga->next += count * tga->stored;
+/* `count` stored pixels become those of the image. Colours that the map does not have are black and
+ * opaque, as in PNG. */
+static void convert_pixels(const struct tga *tga, const uint8_t *stored, size_t count,
+                           uint8_t *pixels) {
     if (tga->type != TGA_COLOR_MAPPED) {
         convert_colors(tga, stored, count, pixels);
         return;
@@ -360,13 +355,6 @@ static void convert_pixels(struct tga *tga, size_t count, uint8_t *pixels) {
         } else {
             store_color(pixels, tga->format, (struct color){.a = 255});
         }
-    }
-}
-
-/* Fill `count` pixels with copies of the one before them. */
-static void repeat_pixel(uint8_t *pixels, size_t count, size_t pixel_size) {
-    for (size_t i = 0; i < count; i++, pixels += pixel_size) {
-        memcpy(pixels, pixels - pixel_size, pixel_size);
     }
 }
 
@@ -396,70 +384,66 @@ static inline void fill_blocks(uint8_t *restrict to, const uint8_t *restrict pix
     }
 }
 
-/* Unpack packets of pixels that are stored as they are wanted, in whole blocks that may reach past
- * a packet's end: so only as long as a packet of any size, which is blocks of pixels, lies in the
- * file, and one and a block more in the image. Returns how many pixels are left. `size`, that of a
- * pixel, is a constant where this is called, and the loops are compiled for it. */
-static inline size_t unpack_inner_packets(struct tga *tga, uint8_t *pixels, size_t left,
-                                          const size_t size) {
-    const size_t packet_limit = TGA_PACKET_LIMIT * size;
+/* Does the next packet lie in the file, and its pixels among those that are left? */
+static bool check_packet(const struct tga *tga, const uint8_t *next, size_t left, size_t size,
+                         struct error *error) {
+    size_t count = next < tga->end ? (*next & 127u) + 1 : 0;
+    size_t stored = next < tga->end && (*next & 128) != 0 ? 1 : count;
+    if (count > left) {
+        return error_set(error, "a TGA packet of %zu pixels, but only %zu are left", count, left);
+    }
+    return (count > 0 && stored * size < (size_t)(tga->end - next)) ||
+           error_set(error, "a TGA cut off: %zu pixels are missing", left);
+}
+
+/* Unpack `left` stored pixels, whose packets may cross rows: in whole blocks as long as a packet of
+ * any size lies in the file, and one and a block more in the image. `size`, that of a stored pixel,
+ * is a constant where this is called, and the loops are compiled for it. */
+static inline bool unpack_packets_of(const struct tga *tga, uint8_t *pixels, size_t left,
+                                     const size_t size, struct error *error) {
     const uint8_t *next = tga->next;
-    while (left >= TGA_PACKET_LIMIT + BLOCK && (size_t)(tga->end - next) > packet_limit) {
+    while (left > 0) {
+        bool inner =
+            left >= TGA_PACKET_LIMIT + BLOCK && (size_t)(tga->end - next) > TGA_PACKET_LIMIT * size;
+        if (!inner && !check_packet(tga, next, left, size, error)) {
+            return false;
+        }
         unsigned head = *next++;
         size_t count = (head & 127) + 1;
-        if ((head & 128) == 0) {
+        if ((head & 128) == 0 && inner) {
             copy_blocks(pixels, next, count * size);
-            next += count * size;
-        } else {
+        } else if (inner) {
             fill_blocks(pixels, next, count * size, size);
-            next += size;
+        } else {
+            for (size_t i = 0; i < count; i++) {
+                memcpy(pixels + i * size, next + ((head & 128) == 0 ? i * size : 0), size);
+            }
         }
+        next += (head & 128) == 0 ? count * size : size;
         pixels += count * size;
         left -= count;
     }
-    tga->next = next;
-    return left;
+    return true;
 }
 
-/* The same for the image's size of pixels; all are left where they are stored in another form. */
-static size_t unpack_most_packets(struct tga *tga, uint8_t *pixels, size_t left) {
-    if (tga->type == TGA_COLOR_MAPPED || tga->stored != (size_t)tga->format) {
-        return left;
-    }
-    switch (tga->format) {
-    case IMAGE_GREY:
-        return unpack_inner_packets(tga, pixels, left, 1);
-    case IMAGE_BGR:
-        return unpack_inner_packets(tga, pixels, left, 3);
-    default:
-        return unpack_inner_packets(tga, pixels, left, 4);
-    }
-}
-
-/* The packets of a run-length coded image. They may cross rows, but not run past the last pixel. */
-static bool unpack_packets(struct tga *tga, uint8_t *pixels, size_t count_all,
+static bool unpack_packets(const struct tga *tga, uint8_t *pixels, size_t count,
                            struct error *error) {
-    size_t pixel_size = (size_t)tga->format;
-    size_t left = unpack_most_packets(tga, pixels, count_all);
-    pixels += (count_all - left) * pixel_size;
-    while (left > 0) {
-        if (tga->next == tga->end) {
-            return error_set(error, "a TGA cut off: %zu pixels are missing", left);
-        }
-        unsigned head = *tga->next++;
-        size_t count = (head & 127) + 1;
-        size_t stored_count = (head & 128) != 0 ? 1 : count;
-        if (count > left) {
-            return error_set(error, "a TGA packet of %zu pixels, but only %zu are left", count,
-                             left);
-        }
-        if (stored_count * tga->stored > (size_t)(tga->end - tga->next)) {
-            return error_set(error, "a TGA cut off: %zu pixels are missing", left);
-        }
-        convert_pixels(tga, stored_count, pixels);
-        repeat_pixel(pixels + stored_count * pixel_size, count - stored_count, pixel_size);
-        pixels += count * pixel_size;
-        left -= count;
+    return tga->stored == 1   ? unpack_packets_of(tga, pixels, count, 1, error)
+           : tga->stored == 2 ? unpack_packets_of(tga, pixels, count, 2, error)
+           : tga->stored == 3 ? unpack_packets_of(tga, pixels, count, 3, error)
+                              : unpack_packets_of(tga, pixels, count, 4, error);
+}
+
+/* Packets are unpacked to the end of the image: a stored pixel is not larger than one of the image,
+ * so none is overwritten before it is converted. */
+static bool decode_pixels(const struct tga *tga, struct image *image, struct error *error) {
+    size_t count = image->width * image->height;
+    uint8_t *unpacked = image->pixels + count * ((size_t)tga->format - tga->stored);
+    if (tga->run_length && !unpack_packets(tga, unpacked, count, error)) {
+        return false;
+    }
+    if (!tga->run_length || unpacked != image->pixels) {
+        convert_pixels(tga, tga->run_length ? unpacked : tga->next, count, image->pixels);
     }
     return true;
 }
@@ -488,14 +472,10 @@ bool tga_decode(struct image *image, const void *data, size_t size, struct error
     tga.color_depth = tga.type == TGA_COLOR_MAPPED ? tga.map_depth : tga.depth;
     tga.format = tga_format(&tga);
     if (!skip_to_pixels(&tga, error) || !check_tga_size(&tga, error) ||
-        !create(image, tga.width, tga.height, tga.format, false, error)) {
+        !image_create_unset(image, tga.width, tga.height, tga.format, error)) {
         return false;
     }
-    size_t count = image->width * image->height;
-    assert(count > 0);
-    if (!tga.run_length) {
-        convert_pixels(&tga, count, image->pixels);
-    } else if (!unpack_packets(&tga, image->pixels, count, error)) {
+    if (!decode_pixels(&tga, image, error)) {
         image_free(image);
         return false;
     }
@@ -542,8 +522,8 @@ static size_t pixels_before_run(const uint8_t *equal, size_t count, size_t worth
 /* One row as packets; returns their size. `out` has room for the row and one byte per 128 pixels,
  * which is the worst case. A run packet between two raw ones costs two heads, so two equal grey
  * pixels are not worth one. `equal` has room for a byte a pixel and is zero behind the row. */
-static inline size_t pack_row_of(const uint8_t *row, size_t width, uint8_t *equal, uint8_t *out,
-                                 const size_t size) {
+static inline size_t pack_row(const uint8_t *row, size_t width, uint8_t *equal, uint8_t *out,
+                              const size_t size) {
     const size_t worth = size == 1 ? 3 : 2;
     uint8_t *next = out;
     compare_neighbours(row, width, equal, size);
@@ -566,18 +546,6 @@ static inline size_t pack_row_of(const uint8_t *row, size_t width, uint8_t *equa
     return (size_t)(next - out);
 }
 
-static size_t pack_row(const uint8_t *row, size_t width, size_t pixel_size, uint8_t *equal,
-                       uint8_t *out) {
-    switch (pixel_size) {
-    case 1:
-        return pack_row_of(row, width, equal, out, 1);
-    case 3:
-        return pack_row_of(row, width, equal, out, 3);
-    default:
-        return pack_row_of(row, width, equal, out, 4);
-    }
-}
-
 static void put_u16(uint8_t *bytes, size_t value) {
     bytes[0] = (uint8_t)(value & 255);
     bytes[1] = (uint8_t)(value >> 8);
@@ -596,11 +564,13 @@ static void put_tga_header(uint8_t *header, const struct image *image, bool run_
 /* All rows as packets after what is in `out`, which has room for the raw pixels and one row more.
  * False when they come out larger than the raw pixels. */
 static bool pack_rows(const struct image *image, uint8_t *equal, struct bytes *out) {
-    size_t raw_end = out->size + image_size(image);
+    size_t raw_end = out->size + image_size(image), width = image->width;
     for (size_t y = 0; y < image->height; y++) {
         const uint8_t *row = image->pixels + y * row_size(image);
-        out->size +=
-            pack_row(row, image->width, (size_t)image->format, equal, out->data + out->size);
+        uint8_t *end = out->data + out->size;
+        out->size += image->format == IMAGE_GREY  ? pack_row(row, width, equal, end, 1)
+                     : image->format == IMAGE_BGR ? pack_row(row, width, equal, end, 3)
+                                                  : pack_row(row, width, equal, end, 4);
         if (out->size > raw_end) {
             return false;
         }

@@ -47,6 +47,10 @@ static inline struct color color_grey(uint8_t level) {
 bool image_create(struct image *image, size_t width, size_t height, enum image_format format,
                   struct error *error);
 
+/* The same without clearing it, for a caller that sets every pixel. */
+bool image_create_unset(struct image *image, size_t width, size_t height, enum image_format format,
+                        struct error *error);
+
 /* Free the pixels and leave an empty image. Freeing an empty image is legal. */
 void image_free(struct image *image);
 

@@ -14,13 +14,6 @@ static const struct vec3 front = {0, 0, 1}; /* to the light of scene flat */
 typedef double intensity_function(struct vec3 w0, struct vec3 w1, struct vec3 w2,
                                   struct vec3 to_light);
 
-/* The face_intensity() of main.c, in the form of the attempts. */
-static double intensity_of_main(struct vec3 w0, struct vec3 w1, struct vec3 w2,
-                                struct vec3 to_light) {
-    struct vec3 normal = vec3_normalized(vec3_cross(vec3_sub(w1, w0), vec3_sub(w2, w0)));
-    return vec3_dot(normal, to_light);
-}
-
 /* draw_flat() with another intensity, lit from the front. */
 static void draw_with(const struct model *model, intensity_function *find, struct image *image) {
     image_clear(image, color_grey(0));
@@ -94,7 +87,8 @@ static void draw_faults(const struct model *model) {
     const struct detail ear = {490, 420, 110, 160, .zoom = 4};
     const struct detail head = {190, 200, 420, 600, .zoom = 1};
     struct image image = figure_image(800, 800);
-    draw_with(model, intensity_of_main, &image);
+    struct drawing drawing = {.model = model, .light = {0, 0, -1}, .skip = true};
+    figure_need(draw_flat(&drawing, &image, &figure_error));
     figure_save_detail(&image, ear, "detail_ear");
     mark_faults(model, &image);
     figure_save_detail(&image, head, "faults");

@@ -11,36 +11,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* ---- Lists of triangles ---- */
-
-struct list {
-    struct drawn *items;
-    size_t count;
-};
-
-/* A model as a scene shows it. */
-struct view {
-    const struct model *model;
-    struct vec3 light;
-};
-
-/* The lit faces of the model, as draw_zbuffer() draws them. */
-static struct list list_from_model(const struct view *view, const struct image *image) {
-    const struct model *model = view->model;
-    const struct vec3 light = vec3_normalized(view->light);
-    struct list list = {.items = figure_memory(model->face_count, sizeof *list.items)};
-    for (size_t face = 0; face < model->face_count; face++) {
-        struct drawn *d = &list.items[list.count];
-        double intensity = model_face_intensity(model, face, light);
-        if (!(intensity > 0) || !place_face(model, face, image, d->v)) {
-            continue;
-        }
-        list.count++;
-        d->color = color_grey(level_from(intensity * 255));
-    }
-    return list;
-}
-
 /* A depth for each pixel, or the painter's list, which is shorter. */
 static void *memory;
 
@@ -53,42 +23,26 @@ static void draw_right(struct image *image, const struct drawn *items, size_t co
     }
 }
 
-/* ---- The attempts ---- */
-
-typedef void attempt_function(struct image *image, const struct drawn *list, size_t count,
-                              void *buffer);
-
-/* The painter sorts, so he gets a list of his own, in the buffer. */
-static void draw_painter(struct image *image, const struct drawn *list, size_t count,
-                         void *buffer) {
-    memcpy(buffer, list, count * sizeof *list);
-    attempt_2_painter(image, buffer, count);
-}
-
-struct version {
-    const char *name;
-    attempt_function *draw;
-};
-
-static const struct version versions[] = {
-    {"2 painter's order", draw_painter},
-    {"3 mean depth", attempt_3_mean_depth},
-};
-enum { VERSIONS = sizeof versions / sizeof versions[0] };
-
 /* ---- What lesson 4 draws ---- */
 
-static void draw_painted_over(const struct view *views, size_t view_count) {
-    struct sheet sheet = {.width = 400,
-                          .height = 400,
-                          .columns = view_count,
+enum { PAINTED_SIDE = 400 };
+
+/* Two models as scenes show them, in the order of their files. */
+static void draw_painted_over(const struct model *knot, const struct model *bust) {
+    static const struct scene_value values[] = {{.name = "faces"}, {.name = "attempt"}, {0}};
+    struct drawing drawing = {.depth = memory, .values = values, .value = {1, FILE_ORDER}};
+    struct sheet sheet = {.width = PAINTED_SIDE,
+                          .height = PAINTED_SIDE,
+                          .columns = 2,
                           .rows = 1,
                           .gap = 8,
                           .format = IMAGE_GREY};
     sheet_create(&sheet);
-    for (size_t i = 0; i < view_count; i++) {
-        struct list list = list_from_model(&views[i], &sheet.panel);
-        attempt_1_file_order(&sheet.panel, list.items, list.count);
+    for (int i = 0; i < 2; i++) {
+        drawing.model = i == 0 ? knot : bust;
+        drawing.light = i == 0 ? (struct vec3){0, 0, -1} : (struct vec3){1, 0, -1};
+        depth_clear(drawing.depth, PAINTED_SIDE * PAINTED_SIDE);
+        figure_need(draw_zbuffer(&drawing, &sheet.panel, &figure_error));
         sheet_add(&sheet);
     }
     figure_save(&sheet.image, "painted_over");
@@ -153,9 +107,15 @@ static void draw_large(const char *name, const struct drawn *list, size_t count)
     sheet_create(&sheet);
     draw_right(&right, list, count);
     sheet_add_detail(&sheet, &right, detail_of_whole(&right, 1, 0));
-    for (int i = 0; i < VERSIONS; i++) {
-        versions[i].draw(&sheet.panel, list, count, memory);
-        printf("%-6s %-28s %6zu pixels wrong\n", name, versions[i].name,
+    for (int i = 0; i < 2; i++) {
+        if (i == 0) { /* the painter sorts, so he gets a list of his own */
+            memcpy(memory, list, count * sizeof *list);
+            attempt_2_painter(&sheet.panel, memory, count);
+        } else {
+            attempt_3_mean_depth(&sheet.panel, list, count, memory);
+        }
+        printf("%-6s %-28s %6zu pixels wrong\n", name,
+               i == 0 ? "2 painter's order" : "3 mean depth",
                different_pixels(&right, &sheet.panel));
         sheet_add(&sheet);
     }
@@ -210,11 +170,10 @@ void draw_figures(struct model *bust) {
     struct model knot;
     struct drawn bars[3], floor_list[FLOOR_COUNT];
     figure_need(model_read(&knot, COURSE_BUILD "/models/knot.off", &figure_error));
-    const struct view views[] = {{&knot, {0, 0, -1}}, {bust, {1, 0, -1}}};
-    memory = figure_memory(SHEETS_WIDTH * LARGE_HEIGHT, sizeof(double));
+    memory = figure_memory(PAINTED_SIDE * PAINTED_SIDE, sizeof(double)); /* the largest picture */
     make_circle(bars);
     make_floor(floor_list);
-    draw_painted_over(views, 2);
+    draw_painted_over(&knot, bust);
     draw_large("circle", bars, 3);
     draw_large("floor", floor_list, FLOOR_COUNT);
     draw_sheets();

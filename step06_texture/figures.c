@@ -43,7 +43,7 @@ static void draw_samplers(void) {
                                            attempt_3_unshifted, attempt_4_no_levels};
     struct texture texture;
     struct sheet sheet = {.width = SIDE, .height = SIDE, .columns = 4, .rows = 1, .gap = GAP};
-    figure_need(make_square(&texture, 4, small_color, &figure_error));
+    figure_need(paint_picture(&texture, 4, 4, small_color, &figure_error));
     sheet_create(&sheet);
     const int32_t end = SIDE * SUBPIXELS;
     texture_set_clamp(&texture, true);

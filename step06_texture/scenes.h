@@ -74,8 +74,11 @@ struct footprint {
     struct vec2 uv, right, up;     /* its middle, and its sides */
 };
 
+/* The pictures that the lesson makes itself. */
+enum { LETTERS, BORDERED, FADING, CLOTH, MOSAIC, CHECKER, COLORED, PICTURES };
+
 struct state {
-    struct texture letters, bordered, fading, cloth, mosaic, checker, colored;
+    struct texture picture[PICTURES];
     struct footprint footprint;
 };
 
@@ -83,7 +86,9 @@ struct state {
 enum {
     LETTERS_COLUMNS = 5,
     LETTERS_ROWS = 3,
-    LETTERS_TILE = 32,  /* texels a side */
+    LETTERS_TILE = 32, /* texels a side */
+    LETTERS_WIDTH = LETTERS_COLUMNS * LETTERS_TILE,
+    LETTERS_HEIGHT = LETTERS_ROWS * LETTERS_TILE,
     LETTERS_STROKE = 4, /* texels; a letter is 3 strokes wide and 5 high */
     LETTERS_LEFT = 11,  /* texels of a tile left of a letter */
     LETTERS_BELOW = 7,
@@ -121,29 +126,32 @@ static struct color letters_color(int x, int y) {
 /* The same with a border one texel wide that differs from what it surrounds: the dark joint at the
  * left and lower side, the colour of the next tile at the others. */
 static struct color bordered_color(int x, int y) {
-    if (x == LETTERS_COLUMNS * LETTERS_TILE - 1) {
+    if (x == LETTERS_WIDTH - 1) {
         return letters_color(x - LETTERS_TILE, y);
     }
-    if (y == LETTERS_ROWS * LETTERS_TILE - 1) {
+    if (y == LETTERS_HEIGHT - 1) {
         return letters_color(x, y - LETTERS_TILE);
     }
     return letters_color(x == 1 ? LETTERS_JOINT : x, y == 1 ? LETTERS_JOINT : y);
 }
 
-/* The picture, more transparent from column to column: the last one has the opacity `rightmost`. */
-static bool make_letters(struct texture *texture, struct color (*color)(int x, int y),
-                         double rightmost, struct error *error) {
+/* The letters, more transparent from column to column. */
+static struct color fading_color(int x, int y) {
+    struct color color = letters_color(x, y);
+    color.a = level_from(255 * (1 - (1 - 0.3) * x / (LETTERS_WIDTH - 1)));
+    return color;
+}
+
+/* A texture from a function of its texels. */
+static bool paint_picture(struct texture *texture, int width, int height,
+                          struct color (*color)(int x, int y), struct error *error) {
     struct image image;
-    if (!image_create(&image, LETTERS_COLUMNS * LETTERS_TILE, LETTERS_ROWS * LETTERS_TILE,
-                      IMAGE_BGRA, error)) {
+    if (!image_create(&image, (size_t)width, (size_t)height, IMAGE_BGRA, error)) {
         return false;
     }
-    for (int y = 0; y < (int)image.height; y++) {
-        for (int x = 0; x < (int)image.width; x++) {
-            double opacity = 1 - (1 - rightmost) * x / (double)(image.width - 1);
-            struct color texel = color(x, y);
-            texel.a = level_from(255 * opacity);
-            image_set(&image, x, y, texel);
+    for (int y = 0; y < height; y++) {
+        for (int x = 0; x < width; x++) {
+            image_set(&image, x, y, color(x, y));
         }
     }
     bool done = texture_create(texture, &image, error);
@@ -164,86 +172,59 @@ static struct color cloth_color(int x, int y) {
     return threads[(x + y) % 3];
 }
 
-/* A square picture, `side` texels wide. */
-static bool make_square(struct texture *texture, int side, struct color (*color)(int x, int y),
-                        struct error *error) {
-    struct image image;
-    if (!image_create(&image, (size_t)side, (size_t)side, IMAGE_BGR, error)) {
-        return false;
-    }
-    for (int y = 0; y < side; y++) {
-        for (int x = 0; x < side; x++) {
-            image_set(&image, x, y, color(x, y));
-        }
-    }
-    bool done = texture_create(texture, &image, error);
-    image_free(&image);
-    return done;
+/* A board that faces us: where its corners are in the image, whose width and height are 1, and in
+ * its picture. */
+struct board {
+    struct vec2 place[4], uv[4];
+};
+
+/* A little askew, and larger than its picture. */
+static const struct board large_board = {{{0.10, 0.04}, {0.98, 0.17}, {0.90, 0.96}, {0.02, 0.83}},
+                                         {{-0.3, -0.4}, {1.3, -0.4}, {1.3, 1.4}, {-0.3, 1.4}}};
+
+/* Two small ones at the upper left. One shows the last column of its picture, the other the last
+ * row: they are so far to the right of it, or above it, that an int cannot count the texels. */
+static const struct board far_boards[] = {
+    {{{0.02, 0.88}, {0.10, 0.88}, {0.10, 0.98}, {0.02, 0.98}},
+     {{1e12, 0}, {1e12, 0}, {1e12, 1}, {1e12, 1}}},
+    {{{0.11, 0.88}, {0.19, 0.88}, {0.19, 0.98}, {0.11, 0.98}},
+     {{0, 1e12}, {1, 1e12}, {1, 1e12}, {0, 1e12}}},
+};
+
+/* At the lower right, with texels as large as pixels. The corners are at pixel centres, so all
+ * pixel centres are at corners of texels. The side is a power of 2, so nothing is rounded. */
+static struct board place_cloth(const struct image *image) {
+    const double right = (double)image->width - CLOTH_MARGIN + 0.5, left = right - CLOTH_SIDE;
+    const double low = CLOTH_MARGIN + 0.5, high = low + CLOTH_SIDE;
+    return (struct board){{{left, low}, {right, low}, {right, high}, {left, high}},
+                          {{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
 }
 
-/* Texels as large as pixels, at the lower right of the image. The corners are at pixel centres, so
- * all pixel centres are at corners of texels. The side is a power of 2, so nothing is rounded. */
-static void place_cloth(const struct image *image, struct vertex corners[4]) {
-    for (int i = 0; i < 4; i++) {
-        struct vec2 uv = {i == 1 || i == 2, i >= 2};
-        struct vec2 screen = {(double)image->width - CLOTH_MARGIN - CLOTH_SIDE + CLOTH_SIDE * uv.x +
-                                  0.5,
-                              CLOTH_MARGIN + CLOTH_SIDE * uv.y + 0.5};
-        corners[i] = (struct vertex){.uv = uv};
-        screen_snap(screen, &corners[i].position); /* always within the limit */
-    }
-}
-
-/* The corners of a board that faces us, a little askew, and larger than its picture. */
-static void place_board(const struct image *image, struct vertex corners[4]) {
-    static const struct vec2 places[4] = {{0.10, 0.04}, {0.98, 0.17}, {0.90, 0.96}, {0.02, 0.83}};
-    static const struct vec2 uvs[4] = {{-0.3, -0.4}, {1.3, -0.4}, {1.3, 1.4}, {-0.3, 1.4}};
-    for (int i = 0; i < 4; i++) {
-        struct vec2 screen = {places[i].x * (double)image->width,
-                              places[i].y * (double)image->height};
-        corners[i] = (struct vertex){.uv = uvs[i]};
-        screen_snap(screen, &corners[i].position); /* always within the limit */
-    }
-}
-
-enum { FAR_BOARDS = 2 };
-
-/* The corners of two small boards at the upper left. One shows the last column of its picture, the
- * other the last row: they are so far to the right of it, or above it, that an int cannot count the
- * texels. */
-static void place_far_board(const struct image *image, int number, struct vertex corners[4]) {
-    const double left = 0.02 + 0.09 * number, beyond = 1e12;
-    for (int i = 0; i < 4; i++) {
-        struct vec2 uv = {i == 1 || i == 2, i >= 2};
-        struct vec2 screen = {(left + 0.08 * uv.x) * (double)image->width,
-                              (0.88 + 0.1 * uv.y) * (double)image->height};
-        corners[i] = (struct vertex){.uv = number == 0 ? (struct vec2){beyond, uv.y}
-                                                       : (struct vec2){uv.x, beyond}};
-        screen_snap(screen, &corners[i].position); /* always within the limit */
-    }
-}
-
-static void draw_board(struct canvas *canvas, const struct vertex corners[4],
+/* `scale` is the size of the image in pixels, or 1 for a board that is placed in pixels. */
+static void draw_board(struct canvas *canvas, const struct board *board, struct vec2 scale,
                        const struct texture *texture, double intensity) {
-    triangle(canvas, (struct vertex[]){corners[0], corners[1], corners[2]}, texture, intensity);
-    triangle(canvas, (struct vertex[]){corners[0], corners[2], corners[3]}, texture, intensity);
+    struct vertex v[4];
+    for (int i = 0; i < 4; i++) {
+        struct vec2 screen = {board->place[i].x * scale.x, board->place[i].y * scale.y};
+        v[i] = (struct vertex){.uv = board->uv[i]};
+        screen_snap(screen, &v[i].position); /* always within the limit */
+    }
+    triangle(canvas, (struct vertex[]){v[0], v[1], v[2]}, texture, intensity);
+    triangle(canvas, (struct vertex[]){v[0], v[2], v[3]}, texture, intensity);
 }
 
 static bool draw_letters(struct drawing *drawing, struct image *image, struct error *error) {
     (void)error;
-    const struct state *state = drawing->state;
-    struct vertex board[4], cloth[4], far[4];
-    place_board(image, board);
-    place_cloth(image, cloth);
+    const struct texture *picture = ((struct state *)drawing->state)->picture;
+    const struct vec2 size = {(double)image->width, (double)image->height};
+    const struct board cloth = place_cloth(image);
     struct canvas canvas = {.image = image, .depth = drawing->depth, .skip = drawing->skip};
-    draw_board(&canvas, board, &state->bordered, 1);
+    draw_board(&canvas, &large_board, size, &picture[BORDERED], 1);
     /* The same board again, darker: it is no nearer, so it must stay hidden. */
-    draw_board(&canvas, board, &state->bordered, 0.5);
-    draw_board(&canvas, cloth, &state->cloth, 1);
-    for (int i = 0; i < FAR_BOARDS; i++) {
-        place_far_board(image, i, far);
-        draw_board(&canvas, far, &state->bordered, 1);
-    }
+    draw_board(&canvas, &large_board, size, &picture[BORDERED], 0.5);
+    draw_board(&canvas, &cloth, (struct vec2){1, 1}, &picture[CLOTH], 1);
+    draw_board(&canvas, &far_boards[0], size, &picture[BORDERED], 1);
+    draw_board(&canvas, &far_boards[1], size, &picture[BORDERED], 1);
     count_pixels(drawing, &canvas);
     return true;
 }
@@ -261,7 +242,7 @@ static struct color checker_color(int x, int y) {
 }
 
 static bool make_checker(struct texture *texture, struct error *error) {
-    return make_square(texture, CHECKER_SIZE, checker_color, error);
+    return paint_picture(texture, CHECKER_SIZE, CHECKER_SIZE, checker_color, error);
 }
 
 static struct color white_color(int x, int y) {
@@ -273,7 +254,7 @@ static struct color white_color(int x, int y) {
 static bool make_colored(struct texture *texture, struct error *error) {
     static const uint32_t colors[] = {0xffffff, 0xff4040, 0x40c040, 0x4060ff,
                                       0xffe040, 0xff60ff, 0x40ffff, 0x808080};
-    bool done = make_square(texture, CHECKER_SIZE, white_color, error);
+    bool done = paint_picture(texture, CHECKER_SIZE, CHECKER_SIZE, white_color, error);
     for (size_t i = 0; done && i < texture->level_count; i++) {
         const struct texture_level *level = &texture->level[i];
         for (size_t k = 0; k < level->width * level->height; k++) {
@@ -446,7 +427,7 @@ static void draw_plane(struct drawing *drawing, struct image *image, const struc
     struct canvas canvas = {.image = image, .sampler = sampler, .skip = drawing->skip};
     note_texel(drawing, image, first, texture);
     note_texel(drawing, image, second, texture);
-    texture = drawing_value(drawing, "colors") != 0 ? &state->colored : texture;
+    texture = drawing_value(drawing, "colors") != 0 ? &state->picture[COLORED] : texture;
     const struct texture coarse = from_level(texture, (size_t)drawing_value(drawing, "level"));
     texture = &coarse;
     perspective_triangle(&canvas, first, texture);
@@ -455,12 +436,17 @@ static void draw_plane(struct drawing *drawing, struct image *image, const struc
     drawing_count(drawing, "texels_fetched", canvas.texels_fetched);
 }
 
+static void draw_surface(struct drawing *drawing, struct image *image,
+                         const struct surface_corner places[4], const struct texture *texture) {
+    struct vertex corners[4];
+    place_surface(drawing, image, places, corners);
+    draw_plane(drawing, image, corners, texture);
+}
+
 static bool draw_checker(struct drawing *drawing, struct image *image, struct error *error) {
     (void)error;
     const struct state *state = drawing->state;
-    struct vertex corners[4];
-    place_surface(drawing, image, plane_corners, corners);
-    draw_plane(drawing, image, corners, &state->checker);
+    draw_surface(drawing, image, plane_corners, &state->picture[CHECKER]);
     return end_view(drawing, image);
 }
 
@@ -509,26 +495,19 @@ static const struct surface_corner close_corners[4] = {
     {-0.75, 1.55, 1.0, ROOM_UV(-0.75, 1.55)},
 };
 
-static void draw_surface(struct drawing *drawing, struct image *image,
-                         const struct surface_corner places[4], const struct texture *texture) {
-    struct vertex corners[4];
-    place_surface(drawing, image, places, corners);
-    draw_plane(drawing, image, corners, texture);
-}
-
 static bool draw_close(struct drawing *drawing, struct image *image, struct error *error) {
     (void)error;
     const struct state *state = drawing->state;
-    draw_surface(drawing, image, close_corners, &state->letters);
+    draw_surface(drawing, image, close_corners, &state->picture[LETTERS]);
     return end_view(drawing, image);
 }
 
 static void draw_surfaces(struct drawing *drawing, struct image *image) {
     const struct state *state = drawing->state;
     /* First the picture with few levels: those with more must not be read as if they had as few. */
-    draw_surface(drawing, image, back_corners, &state->mosaic);
-    draw_surface(drawing, image, floor_corners, &state->letters);
-    draw_surface(drawing, image, wall_corners, &state->letters);
+    draw_surface(drawing, image, back_corners, &state->picture[MOSAIC]);
+    draw_surface(drawing, image, floor_corners, &state->picture[LETTERS]);
+    draw_surface(drawing, image, wall_corners, &state->picture[LETTERS]);
 }
 
 /* In the upper right corner: u goes from -2 to 2 to the right, v upwards, in steps of a quarter. At
@@ -552,7 +531,7 @@ static bool draw_room(struct drawing *drawing, struct image *image, struct error
     (void)error;
     const struct state *state = drawing->state;
     draw_surfaces(drawing, image);
-    draw_chart(image, &state->letters);
+    draw_chart(image, &state->picture[LETTERS]);
     return end_view(drawing, image);
 }
 
@@ -587,9 +566,8 @@ static bool draw_softer(struct drawing *drawing, struct image *image, struct err
     (void)error;
     const struct state *state = drawing->state;
     for (int i = 0; i < SOFTER_SIDE * SOFTER_SIDE; i++) {
-        struct rectangle cell = grid_cell(image->width, image->height, SOFTER_SIDE, SOFTER_SIDE,
-                                          i % SOFTER_SIDE, i / SOFTER_SIDE);
-        draw_softer_cell(image, cell, &state->fading, i);
+        struct rectangle cell = grid_cell(image->width, image->height, SOFTER_SIDE, SOFTER_SIDE, i);
+        draw_softer_cell(image, cell, &state->picture[FADING], i);
     }
     return true;
 }
@@ -602,26 +580,24 @@ static bool prepare(struct drawing *drawing, size_t width, size_t height, struct
     if (drawing->model != NULL) {
         return true;
     }
-    bool made = make_letters(&state->letters, letters_color, 1, error) &&
-                make_letters(&state->bordered, bordered_color, 1, error) &&
-                make_letters(&state->fading, letters_color, 0.3, error) &&
-                make_square(&state->cloth, CLOTH_SIDE, cloth_color, error) &&
-                make_square(&state->mosaic, MOSAIC_SIDE, cloth_color, error) &&
-                make_checker(&state->checker, error) && make_colored(&state->colored, error);
-    texture_set_clamp(&state->bordered, true);
-    texture_set_clamp(&state->fading, true);
+    struct texture *picture = state->picture;
+    bool made =
+        paint_picture(&picture[LETTERS], LETTERS_WIDTH, LETTERS_HEIGHT, letters_color, error) &&
+        paint_picture(&picture[BORDERED], LETTERS_WIDTH, LETTERS_HEIGHT, bordered_color, error) &&
+        paint_picture(&picture[FADING], LETTERS_WIDTH, LETTERS_HEIGHT, fading_color, error) &&
+        paint_picture(&picture[CLOTH], CLOTH_SIDE, CLOTH_SIDE, cloth_color, error) &&
+        paint_picture(&picture[MOSAIC], MOSAIC_SIDE, MOSAIC_SIDE, cloth_color, error) &&
+        make_checker(&picture[CHECKER], error) && make_colored(&picture[COLORED], error);
+    texture_set_clamp(&picture[BORDERED], true);
+    texture_set_clamp(&picture[FADING], true);
     return made;
 }
 
 static void finish(struct drawing *drawing) {
     struct state *state = drawing->state;
-    texture_free(&state->letters);
-    texture_free(&state->bordered);
-    texture_free(&state->fading);
-    texture_free(&state->cloth);
-    texture_free(&state->mosaic);
-    texture_free(&state->checker);
-    texture_free(&state->colored);
+    for (int i = 0; i < PICTURES; i++) {
+        texture_free(&state->picture[i]);
+    }
 }
 
 static const struct scene scenes[] = {

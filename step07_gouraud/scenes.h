@@ -277,20 +277,15 @@ static struct model make_sphere(struct sphere *sphere, uint32_t rings, bool flat
 static void light_pixels(struct drawing *drawing, struct image *image, bool show) {
     const struct vec3 to_light = vec3_normalized(drawing->light);
     uint64_t error = 0, count = 0;
-    for (int y = 0; y < (int)image->height; y++) {
-        for (int x = 0; x < (int)image->width; x++) {
-            struct vec3 n = {(2 * x + 1) / (double)image->width - 1,
-                             (2 * y + 1) / (double)image->height - 1, 0};
-            double square = 0.81 - vec3_dot(n, n);
-            if (square > 0) {
-                n.z = sqrt(square);
-                uint8_t level =
-                    level_from(255 * corner_intensity(vec3_scale(n, 1 / 0.9), to_light));
-                error += (uint64_t)abs(level - image_get(image, x, y).r);
-                count++;
-                if (show) {
-                    image_set(image, x, y, color_grey(level));
-                }
+    for (size_t i = 0; i < image->width * image->height; i++) {
+        const size_t x = i % image->width, y = i / image->width;
+        double exact;
+        if (exact_sphere(x, y, image->width, image->height, to_light, &exact)) {
+            uint8_t level = level_from(exact);
+            error += (uint64_t)abs(level - image_get(image, (int)x, (int)y).r);
+            count++;
+            if (show) {
+                image_set(image, (int)x, (int)y, color_grey(level));
             }
         }
     }

@@ -31,52 +31,39 @@ static inline struct vec2 attempt_14_divided(struct vec3 view, double distance) 
 typedef void attempt_draw(struct drawing *drawing, struct canvas *canvas,
                           const struct mat4 *to_clip);
 
-/* The corners of a face as transform_positions() left them. */
-static inline void attempt_corners(const struct drawing *drawing, size_t face,
-                                   struct position *corner[3]) {
-    const struct state *state = drawing->state;
-    for (int i = 0; i < 3; i++) {
-        corner[i] = &state->positions[drawing->model->faces[face].corner[i].position];
-    }
-}
-
 /* Whether the whole face is in front of the near plane and within the guard band. */
 static inline bool attempt_in_front(struct position *const corner[3]) {
     unsigned beyond = corner[0]->beyond | corner[1]->beyond | corner[2]->beyond;
     return (beyond & (BEYOND_NEAR | BEYOND_GUARD_BAND)) == 0;
 }
 
+/* Without clipping, all faces or those in front. */
+static inline void attempt_faces(struct drawing *drawing, struct canvas *canvas,
+                                 const struct mat4 *to_clip, bool all) {
+    struct position *positions = ((struct state *)drawing->state)->positions;
+    transform_positions(drawing, to_clip);
+    for (size_t i = 0; i < drawing->model->face_count; i++) {
+        const struct corner *c = drawing->model->faces[i].corner;
+        struct position *corner[3] = {&positions[c[0].position], &positions[c[1].position],
+                                      &positions[c[2].position]};
+        if (all || attempt_in_front(corner)) {
+            draw_whole(drawing, canvas, i, corner);
+        }
+    }
+}
+
 /* Divides by w, whatever w is. A point behind the camera has a negative w, so it appears in front,
  * upside down, and a face with one such corner covers the wrong side of the picture. */
 static inline void attempt_7_unclipped(struct drawing *drawing, struct canvas *canvas,
                                        const struct mat4 *to_clip) {
-    transform_positions(drawing, to_clip);
-    for (size_t i = 0; i < drawing->model->face_count; i++) {
-        struct position *corner[3];
-        struct vertex v[3];
-        bool placed = true;
-        attempt_corners(drawing, i, corner);
-        for (int k = 0; k < 3; k++) {
-            placed = placed && place(corner[k]->clip, &canvas->to_screen, &v[k]);
-        }
-        if (placed) {
-            draw_part(drawing, canvas, i, v, whole_face);
-        }
-    }
+    attempt_faces(drawing, canvas, to_clip, true);
 }
 
 /* Skips faces with a corner behind the near plane, which leaves holes where large faces pass under
  * the camera. */
 static inline void attempt_8_left_out(struct drawing *drawing, struct canvas *canvas,
                                       const struct mat4 *to_clip) {
-    transform_positions(drawing, to_clip);
-    for (size_t i = 0; i < drawing->model->face_count; i++) {
-        struct position *corner[3];
-        attempt_corners(drawing, i, corner);
-        if (attempt_in_front(corner)) {
-            draw_whole(drawing, canvas, i, corner);
-        }
-    }
+    attempt_faces(drawing, canvas, to_clip, false);
 }
 
 /* ---- Normals ---- */

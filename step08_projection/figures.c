@@ -131,36 +131,26 @@ static void draw_close(struct drawing *drawing) {
 
 /* ---- Perspective: lines on a wall ---- */
 
-/* Where a point of the wall appears, in pixels. */
-static struct pixel wall_pixel(const struct plane *plane, attempt_perspective *see, double u,
-                               double v) {
+/* Where a point of the wall appears. */
+static struct vec2 wall_point(attempt_perspective *see, double u, double v) {
     const struct vec3 left = wall.corner[0], right = wall.corner[2];
     struct vec3 p = {left.x + u * (right.x - left.x), left.y + v * (right.y - left.y),
                      left.z + u * (right.z - left.z)};
-    const struct mat4 to_screen = area_to_screen(plane->area), still = mat4_identity();
-    struct vec2 seen = to_pixels(&still, see(p, camera_distance(&front)));
-    struct vec2 screen = to_pixels(&to_screen, seen);
-    return (struct pixel){(int)floor(screen.x), (int)floor(screen.y)};
-}
-
-static void draw_wall_line(const struct plane *plane, struct pixel p, struct pixel q) {
-    struct line_walk walk;
-    bool more = line_begin(&walk, p, q, plane->image->width, plane->image->height);
-    for (; more; more = line_next(&walk)) {
-        plane_pixel(plane, walk.x, walk.y, color_rgb(255, 170, 60));
-    }
+    return see(p, camera_distance(&front));
 }
 
 static void draw_wall_lines(struct image *image, attempt_perspective *see) {
     enum { LINES = 8, PIECES = 64 };
     const struct plane plane = {image, whole_image(image)};
+    const struct mat4 to_screen = area_to_screen(plane.area);
+    const struct color orange = color_rgb(255, 170, 60);
     for (int i = 0; i <= LINES; i++) {
         for (int k = 0; k < PIECES; k++) {
             double at = (double)i / LINES, from = (double)k / PIECES, to = (k + 1.0) / PIECES;
-            draw_wall_line(&plane, wall_pixel(&plane, see, from, at),
-                           wall_pixel(&plane, see, to, at));
-            draw_wall_line(&plane, wall_pixel(&plane, see, at, from),
-                           wall_pixel(&plane, see, at, to));
+            plane_line(&plane, &to_screen, wall_point(see, from, at), wall_point(see, to, at),
+                       orange);
+            plane_line(&plane, &to_screen, wall_point(see, at, from), wall_point(see, at, to),
+                       orange);
         }
     }
 }

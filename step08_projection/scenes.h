@@ -127,8 +127,8 @@ enum { PANEL_COLUMNS = 3, PANEL_COUNT = 9, PANEL_MARGIN = 4, PANEL_OF_PIVOT = 5 
 
 /* The panel's part of an image. In a very small image its width or height may be negative. */
 static struct rectangle panel_area(const struct image *image, int panel) {
-    struct rectangle cell = grid_cell(image->width, image->height, PANEL_COLUMNS, PANEL_COLUMNS,
-                                      panel % PANEL_COLUMNS, panel / PANEL_COLUMNS);
+    struct rectangle cell =
+        grid_cell(image->width, image->height, PANEL_COLUMNS, PANEL_COLUMNS, panel);
     return (struct rectangle){cell.x + PANEL_MARGIN, cell.y + PANEL_MARGIN,
                               cell.width - 2 * PANEL_MARGIN, cell.height - 2 * PANEL_MARGIN};
 }

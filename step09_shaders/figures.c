@@ -8,17 +8,12 @@
 
 enum { PANEL = 400 };
 
-struct figure {
-    struct drawing drawing;
+/* Two cells side by side, over a colour, from the scenes' camera, with the light from the side. */
+static void draw_two(struct model *model, const struct cell cells[2], struct color background,
+                     const char *name) {
     struct pipeline pipeline;
-    struct image image;
-    struct uniforms uniforms;
-};
-
-/* All figures are drawn from the scenes' camera, with the light from the side. */
-static void figure_begin(struct figure *figure, struct model *model, int panels) {
-    size_t width = (size_t)(panels * PANEL);
-    figure->drawing = (struct drawing){
+    struct image image = figure_image(2 * PANEL, PANEL);
+    struct drawing drawing = {
         .model = model,
         .diffuse = model_texture(model, MODEL_DIFFUSE, &figure_error),
         .normal_map = model_texture(model, MODEL_NORMAL_MAP, &figure_error),
@@ -27,52 +22,25 @@ static void figure_begin(struct figure *figure, struct model *model, int panels)
         .light = {1, 0.2, 0},
         .skip = true,
     };
-    figure->image = figure_image(width, PANEL);
-    figure_need(figure->drawing.diffuse != NULL && figure->drawing.normal_map != NULL &&
-                pipeline_create(&figure->pipeline, width, PANEL, &figure_error));
-    figure->uniforms = make_uniforms(&figure->drawing, PANEL);
-}
-
-static struct draw_call figure_call(const struct figure *figure, int panels, int panel) {
-    struct rectangle cell =
-        grid_cell(figure->image.width, figure->image.height, panels, 1, panel, 0);
-    return pipeline_call(&figure->drawing, cell, 0.85, CULL_BACK);
-}
-
-static void figure_draw(struct figure *figure, const struct draw_call *call,
-                        const struct shader *shader) {
-    figure_need(pipeline_draw(&figure->pipeline, call, shader, &figure->uniforms,
-                              sizeof figure->uniforms, &figure_error));
-}
-
-static void figure_end(struct figure *figure, const char *name) {
-    figure_need(pipeline_finish(&figure->pipeline, &figure->image, &figure_error));
-    figure_save(&figure->image, name);
-}
-
-/* Left: culled by the camera. Right: by the light, over red, so that holes are seen. */
-static void draw_culled_by_light(struct model *model) {
-    struct figure f;
-    figure_begin(&f, model, 2);
-    struct draw_call right = figure_call(&f, 2, 0), wrong = figure_call(&f, 2, 1);
-    image_clear(&f.image, color_rgb(160, 0, 0));
-    wrong.cull = CULL_NONE;
-    figure_draw(&f, &right, &flat);
-    figure_draw(&f, &wrong, &culled_by_light);
-    figure_end(&f, "culled_by_light");
-}
-
-/* Left: the normals of the mesh, as in lesson 8. Right: those of the map. */
-static void draw_smooth(struct model *model) {
-    struct figure f;
-    figure_begin(&f, model, 2);
-    struct draw_call left = figure_call(&f, 2, 0), right = figure_call(&f, 2, 1);
-    figure_draw(&f, &left, &gouraud_textured);
-    figure_draw(&f, &right, &normal_mapped);
-    figure_end(&f, "smooth");
+    image_clear(&image, background);
+    figure_need(drawing.diffuse != NULL && drawing.normal_map != NULL &&
+                pipeline_create(&pipeline, image.width, image.height, &figure_error));
+    const struct uniforms u = make_uniforms(&drawing, PANEL);
+    for (int i = 0; i < 2; i++) {
+        struct rectangle place = grid_cell(image.width, image.height, 2, 1, i);
+        struct draw_call call = pipeline_call(&drawing, place, 0.85, cells[i].cull);
+        figure_need(pipeline_draw(&pipeline, &call, cells[i].shader, &u, sizeof u, &figure_error));
+    }
+    figure_need(pipeline_finish(&pipeline, &image, &figure_error));
+    figure_save(&image, name);
 }
 
 void draw_figures(struct model *bust) {
-    draw_smooth(bust);
-    draw_culled_by_light(bust);
+    /* The normals of the mesh, as in lesson 8, and those of the map. */
+    static const struct cell smooth[] = {{&gouraud_textured, CULL_BACK},
+                                         {&normal_mapped, CULL_BACK}};
+    /* Culled by the camera, and by the light, over red, so that holes are seen. */
+    static const struct cell culled[] = {{&flat, CULL_BACK}, {&culled_by_light, CULL_NONE}};
+    draw_two(bust, smooth, color_grey(0), "smooth");
+    draw_two(bust, culled, color_rgb(160, 0, 0), "culled_by_light");
 }

@@ -82,8 +82,7 @@ static bool record_cells(struct drawing *drawing, struct pipeline *pipeline,
                          struct error *error) {
     bool done = true;
     for (int i = 0; done && i < side * side; i++) {
-        struct rectangle place =
-            grid_cell(image->width, image->height, side, side, i % side, i / side);
+        struct rectangle place = grid_cell(image->width, image->height, side, side, i);
         for (size_t part = 0; drawing_take_part(drawing, part); part++) {
             struct draw_call call = pipeline_call(drawing, place, zoom, cells[i].cull);
             struct uniforms u = make_uniforms(drawing, zoom * place.width);
@@ -112,13 +111,13 @@ struct pair {
 };
 
 /* Normals and light have the same direction: the intensity is exactly 1. */
-static void pair_create(struct pair *pair, const struct vec3 positions[6]) {
+static void pair_create(struct pair *pair, const struct vec3 positions[2][3]) {
     *pair = (struct pair){
         .normals = {{0, 0, 1}},
         .uniforms = {.model = &pair->model, .to_light = {0, 0, 1}},
     };
     for (uint32_t i = 0; i < 6; i++) {
-        pair->positions[i] = positions[i];
+        pair->positions[i] = positions[i / 3][i % 3];
         pair->faces[i / 3].corner[i % 3] = (struct corner){.position = i};
     }
     pair->model = (struct model){
@@ -131,89 +130,74 @@ static void pair_create(struct pair *pair, const struct vec3 positions[6]) {
     };
 }
 
-/* The side of a square in a corner of a cell, which lies half as far from the cell's edges. */
-static int corner_size(struct rectangle cell) {
-    const int size = cell.width / 10, most = cell.height / 2;
-    return size < most ? size : most;
-}
-
-/* The upper left corner of a cell. */
-static struct rectangle corner_of(struct rectangle cell) {
-    const int size = corner_size(cell), margin = size / 2;
-    return (struct rectangle){cell.x + margin, cell.y + cell.height - margin - size, size, size};
-}
-
-/* Its upper right corner. */
-static struct rectangle right_corner_of(struct rectangle cell) {
-    const int size = corner_size(cell), margin = size / 2;
-    return (struct rectangle){cell.x + cell.width - margin - size,
+/* A square in the upper left or the upper right corner of a cell, which lies half as far from the
+ * cell's edges as its side is long. */
+static struct rectangle corner_of(struct rectangle cell, bool at_right) {
+    const int most = cell.height / 2, size = cell.width / 10 < most ? cell.width / 10 : most;
+    const int margin = size / 2, right = cell.width - margin - size;
+    return (struct rectangle){cell.x + (at_right ? right : margin),
                               cell.y + cell.height - margin - size, size, size};
 }
 
-/* Two faces in such a corner, in the parallel view: their corners are given in NDC. */
-static struct draw_call flat_call(struct pair *pair, const struct vec3 positions[6],
-                                  struct rectangle corner) {
-    pair_create(pair, positions);
-    return (struct draw_call){
-        .model = &pair->model,
-        .to_clip = mat4_identity(),
-        .viewport = corner,
-        .cull = CULL_NONE,
-    };
+/* Two faces in such a corner. In the parallel view their corners are given in NDC. */
+struct beside {
+    bool in_perspective, at_right;
+    struct vec3 positions[2][3];
+};
+
+/* A square that fills the corner. */
+static const struct beside full_square = {
+    .positions = {{{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}}, {{-1, -1, 0}, {1, 1, 0}, {-1, 1, 0}}},
+};
+
+/* Two triangles of which a corner is too far for the screen: nothing of them is drawn. */
+static const struct beside too_far = {
+    .positions = {{{1, -1, 0}, {-1, 1, 0}, {-1, -1e9, 0}}, {{1e9, 1, 0}, {-1, 1, 0}, {1, -1, 0}}},
+};
+
+/* In the parallel view two triangles that lean, one to the left and one to the right: they cross
+ * near the middle. There w is 1 everywhere, and says nothing of the depth. */
+static const struct beside leaning = {
+    .at_right = true,
+    .positions = {{{-0.9, -0.9, 0.5}, {0.8, 0, -0.4}, {-0.9, 0.9, 0.5}},
+                  {{0.9, -0.9, 0.4}, {0.9, 0.9, 0.4}, {-0.8, 0, -0.4}}},
+};
+
+/* A triangle that faces us and is larger than the corner, and one that lies: it comes from far
+ * behind, through the other one. */
+static const struct beside crossing = {
+    .in_perspective = true,
+    .positions = {{{-3, -2, -0.3}, {4, -2, -0.3}, {-1, 5, -0.3}},
+                  {{0.9, 3, -9}, {-0.5, -0.5, 0.6}, {0.5, -0.5, 0.6}}},
+};
+
+/* Two triangles, each with a corner just before the eye, where w is 1/240 and 1/1200. */
+static const struct beside near_eye = {
+    .in_perspective = true,
+    .positions = {{{-0.8, -0.8, 0}, {0.8, -0.8, 0}, {0.002, 0.001, 1.195}},
+                  {{0.8, 0.8, 0}, {-0.8, 0.8, 0}, {-0.0005, -0.0002, 1.199}}},
+};
+
+static struct draw_call beside_call(struct pair *pair, const struct beside *faces,
+                                    struct rectangle cell) {
+    const struct vec3 eye = {0, 0, 1.2}, center = {0, 0, 0}, up = {0, 1, 0};
+    pair_create(pair, faces->positions);
+    struct draw_call call =
+        camera_call(&pair->model, eye, center, up, 1, corner_of(cell, faces->at_right), CULL_NONE);
+    call.to_clip = faces->in_perspective ? call.to_clip : mat4_identity();
+    return call;
 }
 
-/* A square that fills this corner. */
-static struct draw_call square_call(struct pair *square, struct rectangle cell) {
-    static const struct vec3 positions[6] = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0},
-                                             {-1, -1, 0}, {1, 1, 0},  {-1, 1, 0}};
-    return flat_call(square, positions, corner_of(cell));
-}
-
-/* Nearer than that square, and to its right: half of it is covered. The intensity is not 0, but so
- * small that it is rounded to black. */
+/* A square nearer than the full one, and to its right: half of that is covered. The intensity is
+ * not 0, but so small that it is rounded to black. */
 static struct draw_call dim_call(struct pair *dim, struct rectangle cell) {
-    struct draw_call call = square_call(dim, cell);
+    struct draw_call call = beside_call(dim, &full_square, cell);
     call.to_clip = mat4_translation((struct vec3){1, 0, 0.5});
     for (int i = 0; i < 16; i++) { /* the same places, with a w of 0.5: nearer by that, too */
         call.to_clip.m[i / 4][i % 4] *= 0.5;
     }
     dim->uniforms.to_light = (struct vec3){0, 0, 0.001};
     return call;
-}
-
-/* Two triangles of which a corner is too far for the screen: nothing of them is drawn. */
-static struct draw_call too_far_call(struct pair *too_far, struct rectangle cell) {
-    static const struct vec3 positions[6] = {{1, -1, 0},  {-1, 1, 0}, {-1, -1e9, 0},
-                                             {1e9, 1, 0}, {-1, 1, 0}, {1, -1, 0}};
-    return flat_call(too_far, positions, corner_of(cell));
-}
-
-/* In the parallel view two triangles that lean, one to the left and one to the right: they cross
- * near the middle. There w is 1 everywhere, and says nothing of the depth. */
-static struct draw_call leaning_call(struct pair *leaning, struct rectangle cell) {
-    static const struct vec3 positions[6] = {{-0.9, -0.9, 0.5}, {0.8, 0, -0.4},  {-0.9, 0.9, 0.5},
-                                             {0.9, -0.9, 0.4},  {0.9, 0.9, 0.4}, {-0.8, 0, -0.4}};
-    return flat_call(leaning, positions, right_corner_of(cell));
-}
-
-/* A triangle that faces us and is larger than the corner, and one that lies: it comes from far
- * behind, through the other one. */
-static struct draw_call crossing_call(struct pair *crossing, struct rectangle cell) {
-    static const struct vec3 positions[6] = {{-3, -2, -0.3}, {4, -2, -0.3},     {-1, 5, -0.3},
-                                             {0.9, 3, -9},   {-0.5, -0.5, 0.6}, {0.5, -0.5, 0.6}};
-    const struct vec3 eye = {0, 0, 1.2}, center = {0, 0, 0}, up = {0, 1, 0};
-    pair_create(crossing, positions);
-    return camera_call(&crossing->model, eye, center, up, 1, corner_of(cell), CULL_NONE);
-}
-
-/* Two triangles, each with a corner just before the eye, where w is 1/240 and 1/1200. */
-static struct draw_call near_call(struct pair *near, struct rectangle cell) {
-    static const struct vec3 positions[6] = {{-0.8, -0.8, 0},       {0.8, -0.8, 0},
-                                             {0.002, 0.001, 1.195}, {0.8, 0.8, 0},
-                                             {-0.8, 0.8, 0},        {-0.0005, -0.0002, 1.199}};
-    const struct vec3 eye = {0, 0, 1.2}, center = {0, 0, 0}, up = {0, 1, 0};
-    pair_create(near, positions);
-    return camera_call(&near->model, eye, center, up, 1, corner_of(cell), CULL_NONE);
 }
 
 /* ---- Scenes of simple_draw() ---- */
@@ -267,7 +251,7 @@ static bool draw_simple_cells(struct drawing *drawing, struct image *image,
                               const struct simple_cell cells[4]) {
     const struct canvas canvas = {image, drawing->depth};
     for (int i = 0; i < 4; i++) {
-        struct rectangle place = grid_cell(image->width, image->height, 2, 2, i % 2, i / 2);
+        struct rectangle place = grid_cell(image->width, image->height, 2, 2, i);
         for (size_t part = 0; drawing_take_part(drawing, part); part++) {
             draw_simple_cell(drawing, &canvas, &cells[i], place);
         }
@@ -285,20 +269,25 @@ static bool draw_loops(struct drawing *drawing, struct image *image, struct erro
                                          {&simple_normals, CULL_BACK, 0.8, {0, 0, 0}},
                                          {&simple_corners, CULL_BACK, 1.2, over_the_shoulder},
                                          {&simple_normals, CULL_FRONT, 1.15, {0, 0, 0}}};
+    static const struct {
+        const struct beside *faces;
+        const struct simple_shader *shader;
+        int cell;
+    } beside[] = {
+        {&crossing, &simple_corners, 0},
+        {&crossing, &simple_normals, 0}, /* what is no nearer than what is there stays hidden */
+        {&leaning, &simple_corners, 0},
+        {&too_far, &simple_corners, 1},
+        {&near_eye, &simple_corners, 3},
+    };
     const struct canvas canvas = {image, drawing->depth};
-    struct pair crossing, leaning, too_far, near;
     (void)error;
-    struct draw_call call =
-        crossing_call(&crossing, grid_cell(image->width, image->height, 2, 2, 0, 0));
-    simple_draw(&canvas, &call, &simple_corners, &crossing.uniforms);
-    /* What is no nearer than what is there stays hidden. */
-    simple_draw(&canvas, &call, &simple_normals, &crossing.uniforms);
-    call = leaning_call(&leaning, grid_cell(image->width, image->height, 2, 2, 0, 0));
-    simple_draw(&canvas, &call, &simple_corners, &leaning.uniforms);
-    call = too_far_call(&too_far, grid_cell(image->width, image->height, 2, 2, 1, 0));
-    simple_draw(&canvas, &call, &simple_corners, &too_far.uniforms);
-    call = near_call(&near, grid_cell(image->width, image->height, 2, 2, 1, 1));
-    simple_draw(&canvas, &call, &simple_corners, &near.uniforms);
+    for (size_t i = 0; i < sizeof beside / sizeof beside[0]; i++) {
+        struct pair pair;
+        struct draw_call call = beside_call(
+            &pair, beside[i].faces, grid_cell(image->width, image->height, 2, 2, beside[i].cell));
+        simple_draw(&canvas, &call, beside[i].shader, &pair.uniforms);
+    }
     return draw_simple_cells(drawing, image, cells);
 }
 
@@ -316,10 +305,10 @@ static bool draw_looks(struct drawing *drawing, struct image *image, struct erro
  * kept for the next drawing. */
 static void draw_in_two_lights(const struct canvas *canvas, struct rectangle cell) {
     struct pair triangle;
-    struct draw_call call = square_call(&triangle, cell);
+    struct draw_call call = beside_call(&triangle, &full_square, cell);
     triangle.model.face_count = 1;
     simple_draw(canvas, &call, &simple_flat, &triangle.uniforms);
-    call.viewport = right_corner_of(cell);
+    call.viewport = corner_of(cell, true);
     triangle.uniforms.to_light = (struct vec3){0, 0, 0.4};
     simple_draw(canvas, &call, &simple_flat, &triangle.uniforms);
 }
@@ -337,12 +326,13 @@ static bool draw_more_looks(struct drawing *drawing, struct image *image, struct
     struct pair square;
     (void)error;
     struct draw_call call =
-        square_call(&square, grid_cell(image->width, image->height, 2, 2, 0, 0));
+        beside_call(&square, &full_square, grid_cell(image->width, image->height, 2, 2, 0));
     simple_draw(&canvas, &call, &simple_toon, &square.uniforms);
-    draw_in_two_lights(&canvas, grid_cell(image->width, image->height, 2, 2, 0, 1));
+    draw_in_two_lights(&canvas, grid_cell(image->width, image->height, 2, 2, 2));
     struct pair dim;
-    const struct rectangle last = grid_cell(image->width, image->height, 2, 2, 1, 1);
-    struct draw_call lit_call = square_call(&square, last), over_call = dim_call(&dim, last);
+    const struct rectangle last = grid_cell(image->width, image->height, 2, 2, 3);
+    struct draw_call lit_call = beside_call(&square, &full_square, last),
+                     over_call = dim_call(&dim, last);
     simple_draw(&canvas, &lit_call, &simple_toon, &square.uniforms);
     simple_draw(&canvas, &over_call, &simple_lit_only, &dim.uniforms);
     return draw_simple_cells(drawing, image, cells);
@@ -389,11 +379,11 @@ SHADER(in_steps, .varying_count = 1, .vertex = gouraud_vertex, .fragment = steps
 /* With a square in full light next to it. */
 static bool draw_toon(struct drawing *drawing, struct image *image, struct error *error) {
     struct pipeline *pipeline = pipeline_begin(drawing);
-    const struct rectangle place = grid_cell(image->width, image->height, 1, 1, 0, 0);
+    const struct rectangle place = grid_cell(image->width, image->height, 1, 1, 0);
     struct draw_call call = pipeline_call(drawing, place, 0.85, CULL_BACK);
     struct uniforms u = make_uniforms(drawing, 0.85 * place.width);
     struct pair square;
-    struct draw_call beside = square_call(&square, place);
+    struct draw_call beside = beside_call(&square, &full_square, place);
     const struct steps steps = {u, drawing_value(drawing, "steps")};
     bool done = (steps.steps == 5
                      ? pipeline_draw(pipeline, &call, &toon, &u, sizeof u, error)
@@ -405,8 +395,8 @@ static bool draw_toon(struct drawing *drawing, struct image *image, struct error
 /* In the corner once more, small: there the maps are not read at the same level. */
 static bool draw_normal_map(struct drawing *drawing, struct image *image, struct error *error) {
     struct pipeline *pipeline = pipeline_begin(drawing);
-    const struct rectangle place = grid_cell(image->width, image->height, 1, 1, 0, 0);
-    const struct rectangle corner = corner_of(place);
+    const struct rectangle place = grid_cell(image->width, image->height, 1, 1, 0);
+    const struct rectangle corner = corner_of(place, false);
     bool done = true;
     for (size_t part = 0; drawing_take_part(drawing, part); part++) {
         const struct shader *shader = mapped_by(drawing->normal_map);
@@ -430,9 +420,10 @@ static bool draw_culling(struct drawing *drawing, struct image *image, struct er
                                         {&two_sided, CULL_NONE},
                                         {&culled_by_light, CULL_NONE}};
     struct pipeline *pipeline = pipeline_begin(drawing);
-    const struct rectangle last = grid_cell(image->width, image->height, 2, 2, 1, 1);
+    const struct rectangle last = grid_cell(image->width, image->height, 2, 2, 3);
     struct pair square, dim;
-    struct draw_call lit_call = square_call(&square, last), over_call = dim_call(&dim, last);
+    struct draw_call lit_call = beside_call(&square, &full_square, last),
+                     over_call = dim_call(&dim, last);
     bool done = record_cells(drawing, pipeline, image, cells, 2, 0.85, error) &&
                 pipeline_draw(pipeline, &lit_call, &two_sided, &square.uniforms,
                               sizeof(struct uniforms), error) &&
@@ -452,7 +443,7 @@ enum way { WAY_SIMPLE = 1, WAY_VISIBLE, WAY_BANDS, WAY_PIPELINE };
 static void make_head_calls(const struct drawing *drawing, const struct image *image, double zoom,
                             struct draw_call calls[HEADS]) {
     const struct vec3 behind = {-0.62, 0.06, -0.6}; /* from head to head */
-    const struct rectangle whole = grid_cell(image->width, image->height, 1, 1, 0, 0);
+    const struct rectangle whole = grid_cell(image->width, image->height, 1, 1, 0);
     for (int i = 0; i < HEADS; i++) {
         struct mat4 moved =
             mat4_translation(vec3_add((struct vec3){0, 0.27, 0}, vec3_scale(behind, 2 - i)));

@@ -57,7 +57,7 @@ static void average_into(struct image *image, struct rectangle place, const stru
 /* The head of the scene `turn` in all of an image, whose alpha says afterwards where it is. */
 static bool draw_head(const struct drawing *drawing, struct image *image, struct error *error) {
     struct pipeline pipeline = {0};
-    struct rectangle whole = grid_cell(image->width, image->height, 1, 1, 0, 0);
+    struct rectangle whole = grid_cell(image->width, image->height, 1, 1, 0);
     struct draw_call call = pipeline_call(drawing, whole, 0.85, CULL_BACK);
     struct uniforms u = make_uniforms(drawing, 0.85 * whole.width, textured_material);
     bool done =
@@ -93,7 +93,7 @@ static bool draw_samples(struct drawing *drawing, struct image *image, struct er
     } cells[4] = {{1, MEAN_OF_LIGHT}, {2, MEAN_OF_LIGHT}, {4, MEAN_OF_LIGHT}, {4, MEAN_OF_VALUES}};
     bool done = true;
     for (int i = 0; done && i < 4; i++) {
-        struct rectangle place = grid_cell(image->width, image->height, 2, 2, i % 2, i / 2);
+        struct rectangle place = grid_cell(image->width, image->height, 2, 2, i);
         done = draw_sampled(drawing, image, place, cells[i].side, cells[i].averaging, error);
     }
     return done;

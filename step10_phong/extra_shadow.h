@@ -120,7 +120,7 @@ SHADER(shadowed, .varying_count = 8, .vertex = shadow_vertex, .fragment = shadow
 static bool draw_with_map(struct drawing *drawing, struct image *image, int side, double bias,
                           const struct shader *shader, struct error *error) {
     struct pipeline light = {0}, *eye = pipeline_begin(drawing);
-    struct rectangle whole = grid_cell(image->width, image->height, 1, 1, 0, 0);
+    struct rectangle whole = grid_cell(image->width, image->height, 1, 1, 0);
     struct draw_call call = pipeline_call(drawing, whole, 0.85, CULL_BACK);
     struct shadow_uniforms u = {
         .lit = make_uniforms(drawing, 0.85 * whole.width, textured_material),

@@ -259,8 +259,7 @@ static bool draw_cells(struct drawing *drawing, struct image *image, const struc
     bool done = true;
     pipeline_begin(drawing);
     for (int i = 0; done && i < columns * rows; i++) {
-        struct rectangle place =
-            grid_cell(image->width, image->height, columns, rows, i % columns, i / columns);
+        struct rectangle place = grid_cell(image->width, image->height, columns, rows, i);
         for (size_t part = 0; drawing_take_part(drawing, part); part++) {
             done = done && record_cell(drawing, image, &cells[i], place, zoom, error);
         }
@@ -290,17 +289,14 @@ static bool stretch_normals(struct model *stretched, const struct model *model,
 
 /* Ambient and diffuse light: nothing shines. */
 static bool draw_matt(struct drawing *drawing, struct image *image, struct error *error) {
-    struct cell cell = {&plain, plain_material, NULL, NULL};
-    const struct model *own = drawing->model;
     struct model stretched;
+    struct cell cell = {&plain, plain_material, &stretched, NULL};
     cell.material.specular = 0;
     cell.material.power = -1; /* so that integer_power() is not needed yet */
-    if (!stretch_normals(&stretched, own, error)) {
+    if (!stretch_normals(&stretched, drawing->model, error)) {
         return false;
     }
-    drawing->model = &stretched;
     bool done = draw_cells(drawing, image, &cell, 1, 1, 0.8, error);
-    drawing->model = own;
     free(stretched.normals);
     return done;
 }
@@ -317,14 +313,18 @@ static bool draw_parts(struct drawing *drawing, struct image *image, struct erro
     return draw_cells(drawing, image, cells, 2, 2, 0.8, error);
 }
 
-/* Four powers of one light, which comes from the side and from behind. */
-static bool draw_shine(struct drawing *drawing, struct image *image, struct error *error) {
-    static const int powers[] = {0, 2, 40, 80};
-    struct cell cells[4];
-    for (int i = 0; i < 4; i++) {
+/* A cell for each of these powers. */
+static void make_power_cells(struct cell *cells, const int *powers, int count) {
+    for (int i = 0; i < count; i++) {
         cells[i] = (struct cell){&plain, plain_material, NULL, NULL};
         cells[i].material.power = powers[i];
     }
+}
+
+/* Four powers of one light, which comes from the side and from behind. */
+static bool draw_shine(struct drawing *drawing, struct image *image, struct error *error) {
+    struct cell cells[4];
+    make_power_cells(cells, (const int[]){0, 2, 40, 80}, 4);
     return draw_cells(drawing, image, cells, 2, 2, 0.8, error);
 }
 
@@ -364,28 +364,18 @@ static bool draw_four(struct drawing *drawing, struct image *image, struct error
 static bool draw_powers(struct drawing *drawing, struct image *image, struct error *error) {
     static const int powers[] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 20, 40, 80};
     struct cell cells[16];
-    for (int i = 0; i < 14; i++) {
-        cells[i] = (struct cell){&plain, plain_material, NULL, NULL};
-        cells[i].material.power = powers[i];
-    }
+    make_power_cells(cells, powers, 14);
     cells[14] = (struct cell){&weight_mapped, textured_material, NULL, NULL};
     cells[14].material.specular = 1.5; /* times what the map says */
     cells[15] = (struct cell){&power_mapped, textured_material, NULL, NULL};
     return draw_cells(drawing, image, cells, 4, 4, 0.8, error);
 }
 
-/* A map of one texel. */
+/* A map of one texel, clamped: nothing is mixed, however it is compiled. */
 static bool make_map(struct texture *texture, uint8_t value, struct error *error) {
-    struct image image;
-    if (!image_create(&image, 1, 1, IMAGE_GREY, error)) {
-        return false;
-    }
-    image_set(&image, 0, 0, color_grey(value));
+    const struct image image = {.width = 1, .height = 1, .format = IMAGE_GREY, .pixels = &value};
     bool done = texture_create(texture, &image, error);
-    if (done) {
-        texture_set_clamp(texture, true); /* one texel: nothing is mixed, however it is compiled */
-    }
-    image_free(&image);
+    texture_set_clamp(texture, true);
     return done;
 }
 
@@ -412,21 +402,16 @@ static const struct model *near_board(void) {
 /* A shoulder, so near that its faces are large: with a large power, with the largest power that a
  * map can say, and with the least value that says 2. On the right a board that is nearer still. */
 static bool draw_large_faces(struct drawing *drawing, struct image *image, struct error *error) {
-    struct texture map_of_255, map_of_8;
+    struct texture map_of_255 = {0}, map_of_8 = {0};
     struct cell cells[] = {{&plain, plain_material, NULL, NULL},
                            {&power_mapped, textured_material, NULL, &map_of_255},
                            {&power_mapped, textured_material, NULL, &map_of_8},
                            {&plain, plain_material, near_board(), NULL}};
     cells[0].material.power = 200;
-    if (!make_map(&map_of_255, 255, error)) {
-        return false;
-    }
-    bool done = make_map(&map_of_8, 8, error);
-    if (done) {
-        done = draw_cells(drawing, image, cells, 4, 1, 2.5, error);
-        texture_free(&map_of_8);
-    }
+    bool done = make_map(&map_of_255, 255, error) && make_map(&map_of_8, 8, error) &&
+                draw_cells(drawing, image, cells, 4, 1, 2.5, error);
     texture_free(&map_of_255);
+    texture_free(&map_of_8);
     return done;
 }
 
@@ -435,7 +420,7 @@ enum { TURN_FRAMES = 100 };
 /* The light goes once around the head. For each frame it is asked for another place first: it must
  * not count how often it is asked. */
 static bool draw_turn(struct drawing *drawing, struct image *image, struct error *error) {
-    struct rectangle whole = grid_cell(image->width, image->height, 1, 1, 0, 0);
+    struct rectangle whole = grid_cell(image->width, image->height, 1, 1, 0);
     bool done = true;
     pipeline_begin(drawing);
     (void)turning_light(0.5);

@@ -27,11 +27,15 @@ bool bytes_reserve(struct bytes *bytes, size_t size);
 /* Free the block and leave it empty. */
 void bytes_free(struct bytes *bytes);
 
-/* Eight bytes as a number, the first one lowest. Compilers know this form as one instruction. */
+/* Four or eight bytes as a number, the first one lowest. Compilers know this form as one
+ * instruction. */
+static inline uint32_t load_u32(const void *data) {
+    const unsigned char *bytes = data;
+    return bytes[0] | (uint32_t)bytes[1] << 8 | (uint32_t)bytes[2] << 16 | (uint32_t)bytes[3] << 24;
+}
+
 static inline uint64_t load_u64(const unsigned char *bytes) {
-    return bytes[0] | (uint64_t)bytes[1] << 8 | (uint64_t)bytes[2] << 16 |
-           (uint64_t)bytes[3] << 24 | (uint64_t)bytes[4] << 32 | (uint64_t)bytes[5] << 40 |
-           (uint64_t)bytes[6] << 48 | (uint64_t)bytes[7] << 56;
+    return load_u32(bytes) | (uint64_t)load_u32(bytes + 4) << 32;
 }
 
 /* What printf would print, in memory that the caller frees; NULL when memory runs out. */

@@ -54,25 +54,21 @@ static ssize_t read_some(int file, void *data, size_t size) {
 
 /* Read up to the end of an open file, whose size is not known or may have changed. */
 static bool read_to_end(int file, struct bytes *bytes, struct error *error) {
+    enum { MORE = 16384 };
     for (;;) {
-        /* The block may be just as large as the file: then a small buffer looks for the end. */
-        unsigned char more[16384];
-        bool full = bytes->size == bytes->capacity;
-        size_t room = full ? sizeof more : bytes->capacity - bytes->size;
-        ssize_t got = read_some(file, full ? more : bytes->data + bytes->size, room);
+        if (bytes->size == bytes->capacity && !bytes_reserve(bytes, MORE)) {
+            return error_out_of_memory(error);
+        }
+        ssize_t got = read_some(file, bytes->data + bytes->size, bytes->capacity - bytes->size);
         if (got < 0) {
             return error_from_system(error);
         }
         if (got == 0) {
             return true;
         }
-        if ((size_t)got > FILE_SIZE_LIMIT - bytes->size) {
+        bytes->size += (size_t)got;
+        if (bytes->size > FILE_SIZE_LIMIT) {
             return error_set(error, "is larger than 1 GiB");
-        }
-        if (!full) {
-            bytes->size += (size_t)got;
-        } else if (!bytes_append(bytes, more, (size_t)got)) {
-            return error_out_of_memory(error);
         }
     }
 }
@@ -89,7 +85,7 @@ static bool read_open_file(int file, struct bytes *bytes, struct error *error) {
         if (status.st_size > FILE_SIZE_LIMIT) {
             return error_set(error, "is larger than 1 GiB");
         }
-        if (!bytes_reserve(bytes, (size_t)status.st_size)) {
+        if (!bytes_reserve(bytes, (size_t)status.st_size + 1)) { /* and one to see the end */
             return error_out_of_memory(error);
         }
     }

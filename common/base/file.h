@@ -21,8 +21,7 @@ bool error_name_input(struct error *error, const char *path);
 
 /* Read the whole file, or standard input for "-". The caller frees `bytes`. A directory, a missing
  * file, a read error and a file of more than 1 GiB are errors; the message names the file, and
- * nothing stays allocated. A file that tells its size is read into a block of that size (or of 16
- * bytes). */
+ * nothing stays allocated. */
 bool file_read(const char *path, struct bytes *bytes, struct error *error);
 
 /* Write the whole file: complete or, on an error, not at all (an older file of that name stays).

@@ -209,19 +209,17 @@ struct word text_rest_of_line(struct text *text) {
 
 bool word_to_integer(struct word word, int64_t *value) {
     bool negative = word.length > 0 && word.start[0] == '-';
-    size_t i = negative || (word.length > 0 && word.start[0] == '+');
-    bool fits = i < word.length;
+    size_t first = negative || (word.length > 0 && word.start[0] == '+');
     int64_t result = 0; /* kept negative: there is one more number below zero than above */
-    for (; fits && i < word.length; i++) {
+    for (size_t i = first; i < word.length; i++) {
         int digit = word.start[i] - '0';
-        fits = digit >= 0 && digit <= 9 && result >= (INT64_MIN + digit) / 10;
-        result = fits ? result * 10 - digit : 0;
+        if (digit < 0 || digit > 9) {
+            return false;
+        }
+        result = result >= (INT64_MIN + digit) / 10 ? result * 10 - digit : INT64_MIN;
     }
-    if (!fits || (!negative && result == INT64_MIN)) {
-        return false;
-    }
-    *value = negative ? result : -result;
-    return true;
+    *value = negative ? result : result == INT64_MIN ? INT64_MAX : -result;
+    return first < word.length;
 }
 
 /* ---- Decimal numbers ---- */

@@ -74,7 +74,7 @@ static inline bool word_is(struct word word, const char *string) {
  * subnormal; the sign of zero is kept. False for anything else ("nan" and "inf" too). */
 bool word_to_double(struct word word, double *value);
 
-/* The whole word as a decimal integer; false for anything else or outside 64 bits. */
+/* The whole word as a decimal integer, cut to 64 bits; false for anything else. */
 bool word_to_integer(struct word word, int64_t *value);
 
 /* ---- For readers that go character by character ---- */
@@ -101,12 +101,6 @@ static inline bool text_find_word(struct text *text) {
 static inline bool text_is_word_end(const struct text *text, const char *p) {
     return p == text->end || *p == ' ' || *p == '\n' ||
            (((unsigned char)*p < ' ' || *p == '\\') && text_is_rare_word_end(text, p));
-}
-
-/* Four bytes as a number, the first one lowest. Compilers know this form as one instruction. */
-static inline uint32_t load_u32(const char *p) {
-    const unsigned char *bytes = (const unsigned char *)p;
-    return bytes[0] | (uint32_t)bytes[1] << 8 | (uint32_t)bytes[2] << 16 | (uint32_t)bytes[3] << 24;
 }
 
 /* Over digits, which are put behind those in `value` (and overflow where they are too many). Four

@@ -44,23 +44,17 @@ struct workers {
     atomic_size_t threads_at_work; /* without the one that calls */
 };
 
-static void do_share(struct workers *workers, struct share *share, size_t worker) {
-    for (;;) {
-        size_t index = atomic_fetch_add(&share->next, 1);
-        if (index >= share->end) {
-            return;
-        }
-        workers->work(workers->context, index, worker);
-    }
-}
-
 /* First its own share, then what the others have not begun. So in every loop, and in every frame, a
  * worker does much the same parts: what it reads is often in its own cache, and to fetch a line
  * from that of another processor can take longer than from memory. */
 static void do_parts(struct workers *workers, size_t worker) {
     size_t count = workers->thread_count + 1;
     for (size_t i = 0; i < count; i++) {
-        do_share(workers, &workers->share[(worker + i) % count], worker);
+        struct share *share = &workers->share[(worker + i) % count];
+        size_t index;
+        while ((index = atomic_fetch_add(&share->next, 1)) < share->end) {
+            workers->work(workers->context, index, worker);
+        }
     }
 }
 

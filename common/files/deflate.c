@@ -2,13 +2,12 @@
  * Deflate in both directions; see deflate.h. RFC 1951 explains every term that is used here.
  *
  * Compression: (1) find earlier copies of the bytes to come (LZ77) through chains of positions with
- * equal hashes; (2) collect literals and matches into blocks; (3) write each block with Huffman
+ * equal hashes; (2) collect literals and matches into blocks; (3) write each block with prefix
  * codes of its own. (Pictures need none of the other two kinds of block, which a decoder must
  * know.)
  */
 #include "files/deflate.h"
 
-#include <assert.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
@@ -21,8 +20,9 @@ enum {
     FIRST_LENGTH = 257,
     LITERAL_COUNT = 286, /* literals, end of block, lengths */
     DISTANCE_COUNT = 30,
-    ORDER_COUNT = 19,  /* symbols that describe code lengths */
-    CODE_LIMIT = 15,   /* bits of the longest code */
+    SYMBOL_COUNT = LITERAL_COUNT + DISTANCE_COUNT, /* of a block: its distances come last */
+    ORDER_COUNT = 19,                              /* symbols that describe code lengths */
+    CODE_LIMIT = 15,                               /* bits of the longest code */
     SYMBOL_LIMIT = 288 /* the fixed code gives a code to two symbols that never appear */
 };
 
@@ -55,24 +55,25 @@ static uint32_t adler32(const uint8_t *data, size_t size) {
  * bit and the next `kept` bits; the bits below follow as they are. */
 
 struct split {
-    unsigned symbol;     /* from 0 */
+    unsigned symbol;     /* of the block */
     unsigned extra_bits; /* how many bits follow the symbol */
 };
 
-static struct split split_value(unsigned value, unsigned kept) {
+static struct split split_value(unsigned value, unsigned kept, unsigned first_symbol) {
     unsigned extra = 0;
     while (value >> extra >= 2u << kept) {
         extra++;
     }
-    return (struct split){(extra << kept) + (value >> extra), extra};
+    return (struct split){first_symbol + (extra << kept) + (value >> extra), extra};
 }
 
 static struct split split_length(unsigned length) {
-    return length == MATCH_MAX ? (struct split){28, 0} : split_value(length - MATCH_MIN, 2);
+    return length == MATCH_MAX ? (struct split){LITERAL_COUNT - 1, 0}
+                               : split_value(length - MATCH_MIN, 2, FIRST_LENGTH);
 }
 
 static struct split split_distance(unsigned distance) {
-    return split_value(distance - 1, 1);
+    return split_value(distance - 1, 1, LITERAL_COUNT);
 }
 
 /* The smallest value that has the symbol, and the number of its extra bits. */
@@ -145,8 +146,7 @@ struct compressor {
 
     struct token tokens[BLOCK_TOKENS]; /* the block that is being collected */
     size_t token_count;
-    uint32_t literal_counts[LITERAL_COUNT];
-    uint32_t distance_counts[DISTANCE_COUNT];
+    uint32_t counts[SYMBOL_COUNT]; /* how often it has each symbol */
 
     struct bytes *out;
     struct bit_writer writer;
@@ -162,74 +162,41 @@ static inline void put_bits(struct bit_writer *writer, unsigned value, unsigned 
     }
 }
 
-/* A symbol that occurs, or two nodes joined to one. */
-struct node {
-    uint32_t count;
-    uint16_t symbol;
-    uint16_t parent; /* 0: not joined yet */
-};
-
-/* The node of the smallest count that is not joined yet, which now is. */
-static uint32_t join_smallest(struct node *nodes, size_t node_count, size_t parent) {
-    struct node *best = NULL;
-    for (size_t i = 0; i < node_count; i++) {
-        if (nodes[i].parent == 0 && (best == NULL || nodes[i].count < best->count)) {
-            best = &nodes[i];
-        }
-    }
-    assert(best != NULL);
-    best->parent = (uint16_t)parent;
-    return best->count;
-}
-
-/* The lengths of the best prefix code, and the longest of them (D. A. Huffman, "A Method for the
- * Construction of Minimum-Redundancy Codes", Proceedings of the IRE 40, 1952). At least two symbols
- * get a code, since one alone is not complete. */
-static unsigned make_lengths(const uint32_t *counts, size_t symbol_count, uint8_t *lengths) {
-    struct node nodes[2 * LITERAL_COUNT];
-    uint8_t depth[2 * LITERAL_COUNT];
-    size_t leaves = 0;
+/* Complete codes that are nearly the shortest. First a symbol's share of all bit strings is no more
+ * than its share of what is counted (C. E. Shannon, "A Mathematical Theory of Communication", 1948,
+ * section 9); strings that are left then go to the symbol that needs them most, which gets twice as
+ * many. At least two symbols occur, and no more than 1 << CODE_LIMIT are counted in all. */
+static void choose_lengths(const uint32_t *counts, size_t symbol_count, uint8_t *lengths) {
+    uint32_t total = 0, left = 1u << CODE_LIMIT;
     for (size_t i = 0; i < symbol_count; i++) {
-        if (counts[i] > 0) {
-            nodes[leaves++] = (struct node){counts[i], (uint16_t)i, 0};
+        total += counts[i];
+    }
+    for (size_t i = 0; i < symbol_count; i++) {
+        lengths[i] = counts[i] > 0;
+        while (lengths[i] > 0 && counts[i] << lengths[i] < total) {
+            lengths[i]++;
         }
+        left -= lengths[i] > 0 ? 1u << (CODE_LIMIT - lengths[i]) : 0;
     }
-    for (uint16_t i = 0; leaves < 2; i++) {
-        if (counts[i] == 0) {
-            nodes[leaves++] = (struct node){0, i, 0};
-        }
-    }
-    size_t root = 2 * leaves - 2;
-    for (size_t i = leaves; i <= root; i++) {
-        uint32_t smallest = join_smallest(nodes, i, i);
-        nodes[i] = (struct node){smallest + join_smallest(nodes, i, i), 0, 0};
-    }
-    unsigned longest = 0;
-    memset(lengths, 0, symbol_count);
-    depth[root] = 0;
-    for (size_t i = root; i-- > 0;) {
-        depth[i] = (uint8_t)(depth[nodes[i].parent] + 1);
-        if (i < leaves) {
-            lengths[nodes[i].symbol] = depth[i];
-            longest = depth[i] > longest ? depth[i] : longest;
-        }
-    }
-    return longest;
-}
-
-/* The same with no code that is too long: counts that differ less make the codes more alike. */
-static void choose_lengths(uint32_t *counts, size_t symbol_count, uint8_t *lengths) {
-    while (make_lengths(counts, symbol_count, lengths) > CODE_LIMIT) {
+    while (left > 0) {
+        size_t best = 0;
+        uint32_t need = 0;
         for (size_t i = 0; i < symbol_count; i++) {
-            counts[i] = (counts[i] + 1) / 2;
+            bool fits = lengths[i] > 1 && 1u << (CODE_LIMIT - lengths[i]) <= left;
+            if (fits && counts[i] << lengths[i] > need) {
+                need = counts[i] << lengths[i];
+                best = i;
+            }
         }
+        left -= 1u << (CODE_LIMIT - lengths[best]);
+        lengths[best]--;
     }
 }
 
 /* The codes of a block, for all symbols, whether they occur or not. */
 struct block_codes {
-    uint8_t lengths[LITERAL_COUNT + DISTANCE_COUNT];
-    uint16_t literals[LITERAL_COUNT], distances[DISTANCE_COUNT];
+    uint8_t lengths[SYMBOL_COUNT];
+    uint16_t codes[SYMBOL_COUNT];
 };
 
 /* The code lengths, themselves coded, with the same code for every block: a length as it is, and
@@ -246,10 +213,9 @@ static void write_header(struct bit_writer *writer, const struct block_codes *co
     for (size_t i = 0; i < ORDER_COUNT; i++) {
         put_bits(writer, order_lengths[length_order[i]], 3);
     }
-    for (size_t i = 0; i < sizeof codes->lengths;) {
+    for (size_t i = 0; i < SYMBOL_COUNT;) {
         unsigned length = codes->lengths[i], zeros = 0;
-        while (zeros < ZEROS_MAX && i + zeros < sizeof codes->lengths &&
-               codes->lengths[i + zeros] == 0) {
+        while (zeros < ZEROS_MAX && i + zeros < SYMBOL_COUNT && codes->lengths[i + zeros] == 0) {
             zeros++;
         }
         unsigned symbol = zeros >= ZEROS_MIN ? ZEROS : length;
@@ -261,41 +227,42 @@ static void write_header(struct bit_writer *writer, const struct block_codes *co
     }
 }
 
+/* A symbol, and the lowest `extra_bits` of a number. */
+static inline void put_symbol(struct bit_writer *writer, const struct block_codes *codes,
+                              unsigned symbol, unsigned number, unsigned extra_bits) {
+    put_bits(writer, codes->codes[symbol], codes->lengths[symbol]);
+    put_bits(writer, number & ((1u << extra_bits) - 1), extra_bits);
+}
+
 static void write_tokens(const struct compressor *c, struct bit_writer *writer,
                          const struct block_codes *codes) {
-    const uint8_t *literal_lengths = codes->lengths;
-    const uint8_t *distance_lengths = codes->lengths + LITERAL_COUNT;
     for (size_t i = 0; i < c->token_count; i++) {
         struct token token = c->tokens[i];
         if (token.distance == 0) {
-            put_bits(writer, codes->literals[token.value], literal_lengths[token.value]);
+            put_symbol(writer, codes, token.value, 0, 0);
             continue;
         }
-        struct split length = split_length(token.value);
-        unsigned symbol = FIRST_LENGTH + length.symbol;
-        put_bits(writer, codes->literals[symbol], literal_lengths[symbol]);
-        put_bits(writer, (token.value - MATCH_MIN) & ((1u << length.extra_bits) - 1),
-                 length.extra_bits);
-        struct split distance = split_distance(token.distance);
-        put_bits(writer, codes->distances[distance.symbol], distance_lengths[distance.symbol]);
-        put_bits(writer, (token.distance - 1u) & ((1u << distance.extra_bits) - 1),
-                 distance.extra_bits);
+        struct split length = split_length(token.value), distance = split_distance(token.distance);
+        put_symbol(writer, codes, length.symbol, token.value - MATCH_MIN, length.extra_bits);
+        put_symbol(writer, codes, distance.symbol, token.distance - 1u, distance.extra_bits);
     }
-    put_bits(writer, codes->literals[END_OF_BLOCK], literal_lengths[END_OF_BLOCK]);
+    put_symbol(writer, codes, END_OF_BLOCK, 0, 0);
 }
 
 /* Write the collected tokens as a block. False when memory runs out. */
 static bool write_block(struct compressor *c, bool last) {
-    struct block_codes codes;
-    uint8_t *distance_lengths = codes.lengths + LITERAL_COUNT;
+    struct block_codes codes = {0};
     if (!bytes_reserve(c->out, c->token_count * TOKEN_BYTES + HEADER_BYTES)) {
         return false;
     }
-    c->literal_counts[END_OF_BLOCK] = 1;
-    choose_lengths(c->literal_counts, LITERAL_COUNT, codes.lengths);
-    choose_lengths(c->distance_counts, DISTANCE_COUNT, distance_lengths);
-    assign_codes(codes.lengths, LITERAL_COUNT, codes.literals);
-    assign_codes(distance_lengths, DISTANCE_COUNT, codes.distances);
+    c->counts[END_OF_BLOCK] = 1;
+    c->counts[0]++; /* one symbol alone is no complete code */
+    c->counts[LITERAL_COUNT]++;
+    c->counts[LITERAL_COUNT + 1]++;
+    choose_lengths(c->counts, LITERAL_COUNT, codes.lengths);
+    choose_lengths(c->counts + LITERAL_COUNT, DISTANCE_COUNT, codes.lengths + LITERAL_COUNT);
+    assign_codes(codes.lengths, LITERAL_COUNT, codes.codes);
+    assign_codes(codes.lengths + LITERAL_COUNT, DISTANCE_COUNT, codes.codes + LITERAL_COUNT);
 
     struct bit_writer writer = c->writer; /* a copy, so that it stays in registers */
     writer.next = c->out->data + c->out->size;
@@ -309,16 +276,13 @@ static bool write_block(struct compressor *c, bool last) {
     c->writer = writer;
     c->out->size = (size_t)(writer.next - c->out->data);
     c->token_count = 0;
-    memset(c->literal_counts, 0, sizeof c->literal_counts);
-    memset(c->distance_counts, 0, sizeof c->distance_counts);
+    memset(c->counts, 0, sizeof c->counts);
     return true;
 }
 
 /* The four bytes as a number, the same on every machine, so that every machine finds the same. */
 static uint32_t hash_at(const uint8_t *bytes) {
-    uint32_t word =
-        bytes[0] | (uint32_t)bytes[1] << 8 | (uint32_t)bytes[2] << 16 | (uint32_t)bytes[3] << 24;
-    return (uint32_t)(word * 2654435761u) >> (32 - HASH_BITS);
+    return (uint32_t)(load_u32(bytes) * 2654435761u) >> (32 - HASH_BITS);
 }
 
 /* Enter all positions before `end` into the chains. */
@@ -390,10 +354,10 @@ static struct token find_token(struct compressor *c, size_t at) {
 static bool add_token(struct compressor *c, struct token token) {
     c->tokens[c->token_count++] = token;
     if (token.distance == 0) {
-        c->literal_counts[token.value]++;
+        c->counts[token.value]++;
     } else {
-        c->literal_counts[FIRST_LENGTH + split_length(token.value).symbol]++;
-        c->distance_counts[split_distance(token.distance).symbol]++;
+        c->counts[split_length(token.value).symbol]++;
+        c->counts[split_distance(token.distance).symbol]++;
     }
     return c->token_count < BLOCK_TOKENS || write_block(c, false);
 }

@@ -56,12 +56,7 @@ static const struct known_file {
 
 /* 80 bytes of anything, the number of triangles, 50 bytes for each of them. */
 static bool is_binary_stl(const uint8_t *data, size_t size) {
-    if (size < 84) {
-        return false;
-    }
-    uint64_t count =
-        data[80] | (uint64_t)data[81] << 8 | (uint64_t)data[82] << 16 | (uint64_t)data[83] << 24;
-    return 84 + 50 * count == size;
+    return size >= 84 && 84 + 50 * (uint64_t)load_u32(data + 80) == size;
 }
 
 /* Without advice for a model where a picture was wanted, or the other way round. */

@@ -26,20 +26,6 @@ bool reader_next_word(struct model_reader *reader, struct word *word) {
     return word->length > 0 || reader_next_line(reader, word);
 }
 
-bool reader_parse_index(struct word word, int64_t *index) {
-    if (word_to_integer(word, index)) {
-        return true;
-    }
-    size_t sign = word.length > 0 && (word.start[0] == '-' || word.start[0] == '+');
-    for (size_t i = sign; i < word.length; i++) {
-        if (word.start[i] < '0' || word.start[i] > '9') {
-            return false;
-        }
-    }
-    *index = word.length > sign && word.start[0] == '-' ? INT64_MIN : INT64_MAX;
-    return word.length > sign;
-}
-
 /* Words by which C libraries write what is no number. */
 static bool names_no_number(struct word word) {
     size_t sign = word.length > 0 && (word.start[0] == '-' || word.start[0] == '+');
@@ -117,30 +103,23 @@ static bool is_float(double number) {
     return fabs(number) <= FLT_MAX;
 }
 
-/* Add three numbers to a list of floats; one that is none becomes infinite. */
-static bool add_three(struct model_reader *reader, float (**list)[3], size_t *count,
-                      size_t *capacity, const double numbers[3]) {
-    if (!extend(reader, list, capacity, *count + 1, sizeof **list)) {
-        return false;
-    }
-    for (int i = 0; i < 3; i++) {
-        (*list)[*count][i] = (float)(is_float(numbers[i]) ? numbers[i] : INFINITY);
-    }
-    *count += 1;
-    return true;
-}
-
 /* A normal without a direction is kept as 0 0 0: its number must not be another's. */
 bool reader_add_normal(struct model_reader *reader, const double normal[3]) {
     struct model *model = reader->model;
-    const double zero[3] = {0, 0, 0};
     bool right = is_float(normal[0]) && is_float(normal[1]) && is_float(normal[2]) &&
                  ((float)normal[0] != 0 || (float)normal[1] != 0 || (float)normal[2] != 0);
     if (!right && reader->wrong_normal_line == 0) {
         reader->wrong_normal_line = reader->line;
     }
-    return add_three(reader, &model->normals, &model->normal_count, &reader->normal_capacity,
-                     right ? normal : zero);
+    if (!extend(reader, &model->normals, &reader->normal_capacity, model->normal_count + 1,
+                sizeof *model->normals)) {
+        return false;
+    }
+    for (int i = 0; i < 3; i++) {
+        model->normals[model->normal_count][i] = right ? (float)normal[i] : 0;
+    }
+    model->normal_count++;
+    return true;
 }
 
 /* Take those without a direction off the corners. */
@@ -169,26 +148,32 @@ bool reader_add_uv(struct model_reader *reader, double u, double v) {
     return true;
 }
 
-/* For what has no colour: white in any unit, once it is cut. */
-static const double white[3] = {INFINITY, INFINITY, INFINITY};
-
-/* Add this colour to a list until it holds `count` of them. */
-static bool fill_colors(struct model_reader *reader, float (**colors)[3],
-                        struct reader_colors *filled, size_t count, const double color[3]) {
-    while (filled->count < count) {
-        if (!add_three(reader, colors, &filled->count, &filled->capacity, color)) {
-            return false;
-        }
+/* Add copies of an element to a list of a position or face each, until it holds `count`. */
+static bool fill(struct model_reader *reader, void *pointer, struct reader_list *list, size_t count,
+                 const void *element, size_t element_size) {
+    char *elements;
+    if (!extend(reader, pointer, &list->capacity, count, element_size)) {
+        return false;
+    }
+    memcpy(&elements, pointer, sizeof elements); /* of any type */
+    for (; list->count < count; list->count++) {
+        memcpy(elements + list->count * element_size, element, element_size);
     }
     return true;
 }
 
+/* For what has no colour: white in any unit, once it is cut. */
+static const float white[3] = {INFINITY, INFINITY, INFINITY};
+
 /* Elements from `first` up to `count` get the colour, those before that have none are white. */
-static bool add_colors(struct model_reader *reader, float (**colors)[3],
-                       struct reader_colors *filled, size_t first, size_t count,
-                       const double color[3]) {
-    return fill_colors(reader, colors, filled, first, white) &&
-           fill_colors(reader, colors, filled, count, color);
+static bool add_colors(struct model_reader *reader, float (**colors)[3], struct reader_list *list,
+                       size_t first, size_t count, const double color[3]) {
+    float rounded[3];
+    for (int i = 0; i < 3; i++) {
+        rounded[i] = is_float(color[i]) ? (float)color[i] : INFINITY;
+    }
+    return fill(reader, colors, list, first, white, sizeof white) &&
+           fill(reader, colors, list, count, rounded, sizeof rounded);
 }
 
 bool reader_color_position(struct model_reader *reader, const double color[3]) {
@@ -217,14 +202,14 @@ static float unit_of_colors(const struct model_reader *reader) {
 
 /* Bring the colours, in parts of `unit`, to 0..1, and add white up to `count` of them. */
 static bool finish_colors(struct model_reader *reader, float (**colors)[3],
-                          struct reader_colors *filled, size_t count, float unit) {
+                          struct reader_list *list, size_t count, float unit) {
     if (*colors == NULL) {
         return true;
     }
-    if (!fill_colors(reader, colors, filled, count, white)) {
+    if (!fill(reader, colors, list, count, white, sizeof white)) {
         return false;
     }
-    for (size_t i = 0; i < filled->count; i++) {
+    for (size_t i = 0; i < list->count; i++) {
         for (int channel = 0; channel < 3; channel++) {
             float value = (*colors)[i][channel] / unit;
             (*colors)[i][channel] = value > 0 ? (value < 1 ? value : 1) : 0;
@@ -240,17 +225,9 @@ enum { MATERIAL_LIMIT = 1024 }; /* they are looked for one after the other */
 /* Faces that have no material yet get the current one. */
 static bool fill_materials(struct model_reader *reader) {
     struct model *model = reader->model;
-    if (model->material_count == 0) {
-        return true;
-    }
-    if (!extend(reader, &model->face_materials, &reader->face_material_capacity,
-                model->face_count + 1, sizeof *model->face_materials)) {
-        return false;
-    }
-    while (reader->face_material_count < model->face_count) {
-        model->face_materials[reader->face_material_count++] = reader->material;
-    }
-    return true;
+    return model->material_count == 0 ||
+           fill(reader, &model->face_materials, &reader->face_materials, model->face_count,
+                &reader->material, sizeof reader->material);
 }
 
 /* A copy of the word that ends with a zero; the caller frees it. */

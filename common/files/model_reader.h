@@ -18,8 +18,9 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* How much of a list of colours is filled: behind the positions or faces at times. */
-struct reader_colors {
+/* How much of a list is filled, which has an element for each position or face: behind them at
+ * times. */
+struct reader_list {
     size_t count, capacity;
 };
 
@@ -36,9 +37,9 @@ struct model_reader {
     /* Private to model_reader.c. */
     struct vec3 *places; /* of the polygon's corners */
     struct polygon_cutter cutter;
-    struct reader_colors colors, face_colors;
+    struct reader_list colors, face_colors, face_materials;
     uint32_t material; /* of the faces to come; MODEL_NONE at first */
-    size_t material_capacity, face_material_count, face_material_capacity, library_capacity;
+    size_t material_capacity, library_capacity;
     size_t wrong_normal_line; /* the line of the first normal without a direction; 0: none */
     size_t position_capacity, uv_capacity, normal_capacity, face_capacity, line_capacity;
     size_t polygon_capacity, place_capacity;
@@ -69,9 +70,6 @@ bool reader_parse_number(struct model_reader *reader, struct word word, enum rea
 /* The numbers up to the end of the line. The first `finite` of them must be READER_FINITE. */
 bool reader_read_numbers(struct model_reader *reader, size_t finite,
                          struct reader_numbers *numbers);
-
-/* A decimal integer; one outside 64 bits becomes the nearest that fits, which no file can hold. */
-bool reader_parse_index(struct word word, int64_t *index);
 
 /* Note the line of the current statement, unless the model has that warning already. */
 void reader_warn(struct model_reader *reader, enum model_warning warning);

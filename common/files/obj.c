@@ -101,7 +101,7 @@ static bool resolve(struct obj *obj, enum attribute attribute, struct word field
     if (field.length == 0 && attribute != POSITION) {
         return true;
     }
-    if (!reader_parse_index(field, &index)) {
+    if (!word_to_integer(field, &index)) {
         return error_malformed(reader);
     }
     if (obj->unused[attribute] != 0 || (index == 0 && attribute != POSITION)) {

@@ -63,28 +63,22 @@ static bool parse_keyword(struct word word, struct off_kind *kind) {
     return p == end || (*p >= '0' && *p <= '9');
 }
 
-/* The first word of a file that may be large, and its kind; the reader is then behind it. */
-static bool peek_keyword(struct model_reader *reader, const void *data, size_t size,
-                         struct off_kind *kind) {
+/* Does a file, which may be large, begin as OFF does? The word behind its first one. */
+static bool peek_keyword(const void *data, size_t size, struct word *next) {
+    struct text text;
+    struct off_kind kind;
     struct word word = {0};
-    text_peek(&reader->text, data, size);
-    return reader_next_line(reader, &word) && parse_keyword(word, kind);
+    text_peek(&text, data, size);
+    while (word.length == 0 && text_next_line(&text)) {
+        word = text_next_word(&text);
+    }
+    *next = text_next_word(&text);
+    return word.length > 0 && parse_keyword(word, &kind);
 }
 
 bool off_recognize(const void *data, size_t size) {
-    struct error ignored;
-    struct off_kind kind;
-    struct model_reader reader = {.error = &ignored};
-    return peek_keyword(&reader, data, size, &kind);
-}
-
-/* Numbers as bytes follow a first line that says so. */
-static bool is_binary(const void *data, size_t size) {
-    struct error ignored;
-    struct off_kind kind;
-    struct model_reader reader = {.error = &ignored};
-    return peek_keyword(&reader, data, size, &kind) &&
-           word_begins(text_next_word(&reader.text), "BINARY");
+    struct word next;
+    return peek_keyword(data, size, &next);
 }
 
 static bool read_count(struct model_reader *reader, struct word word, const char *what,
@@ -127,7 +121,7 @@ static bool skip_edges(struct model_reader *reader, struct off_guess guess, bool
     if (word.length == 0 && !reader_next_word(reader, &word)) {
         return true;
     }
-    return reader_parse_index(word, &ignored) ||
+    return word_to_integer(word, &ignored) ||
            text_error(reader->error, reader->line, "'%s' is not a number of edges",
                       word_show(word).text);
 }
@@ -245,7 +239,7 @@ static bool read_corner(struct model_reader *reader, const struct off_kind *kind
                         struct word word) {
     size_t vertices = reader->model->position_count;
     int64_t index;
-    if (!reader_parse_index(word, &index)) {
+    if (!word_to_integer(word, &index)) {
         return text_error(reader->error, reader->line, "'%s' is not the number of a vertex",
                           word_show(word).text);
     }
@@ -279,7 +273,7 @@ static bool are_whole(struct text text) {
     int64_t ignored;
     do {
         word = text_next_word(&text);
-    } while (reader_parse_index(word, &ignored));
+    } while (word_to_integer(word, &ignored));
     return word.length == 0;
 }
 
@@ -371,8 +365,9 @@ static bool decode(struct model *model, const void *data, size_t size, unsigned 
 bool off_decode(struct model *model, const void *data, size_t size, unsigned parts,
                 struct error *error) {
     struct error again = {.line = 1};
+    struct word next;
     bool in_doubt = false;
-    if (is_binary(data, size)) {
+    if (peek_keyword(data, size, &next) && word_begins(next, "BINARY")) { /* bytes follow */
         return text_error(error, 1, "a binary OFF file: only text can be read");
     }
     return decode(model, data, size, parts, (struct off_guess){0}, &in_doubt, error) ||

@@ -97,16 +97,12 @@ static inline void swap_colors(uint8_t *restrict to, const uint8_t *restrict fro
 
 /* A row of a file becomes one of an image, and the other way round. */
 static void swap_row(uint8_t *to, const uint8_t *from, size_t width, size_t channels) {
-    switch (channels) {
-    case 1:
+    if (channels == 1) {
         memcpy(to, from, width);
-        break;
-    case 3:
+    } else if (channels == 3) {
         swap_colors(to, from, width, 3);
-        break;
-    default:
+    } else {
         swap_colors(to, from, width, 4);
-        break;
     }
 }
 
@@ -144,74 +140,46 @@ static void filter_row(const unsigned filter, const uint8_t *row, const uint8_t 
     }
 }
 
-/* Undo the filter of a byte, whose left and corner neighbours then become those of the next one. */
-static inline void unfilter_byte(const unsigned filter, uint8_t *byte, uint8_t above, uint8_t *left,
-                                 uint8_t *corner) {
-    *byte = (uint8_t)(*byte + predict(filter, *left, above, *corner));
-    *left = *byte;
-    *corner = above;
-}
-
-/* A row of pixels of `step` bytes, which is a constant where this is called, as is `filter`. What
- * each pixel leaves to the next stays in registers; a loop over its bytes would not keep it so. */
-static inline void unfilter_pixels(const unsigned filter, uint8_t *restrict row,
-                                   const uint8_t *restrict above, size_t size, const size_t step) {
-    uint8_t left[PIXEL_LIMIT] = {0}, corner[PIXEL_LIMIT] = {0};
-    for (size_t i = 0; i < size; i += step) {
-        unfilter_byte(filter, &row[i], above[i], &left[0], &corner[0]);
-        if (step > 1) {
-            unfilter_byte(filter, &row[i + 1], above[i + 1], &left[1], &corner[1]);
-        }
-        if (step > 2) {
-            unfilter_byte(filter, &row[i + 2], above[i + 2], &left[2], &corner[2]);
-        }
-        if (step > 3) {
-            unfilter_byte(filter, &row[i + 3], above[i + 3], &left[3], &corner[3]);
-        }
-        for (size_t k = 4; k < step; k++) { /* 16 bits a channel are rare */
-            unfilter_byte(filter, &row[i + k], above[i + k], &left[k], &corner[k]);
-        }
+/* Undo a filter. It and `step` are constants where this is called. */
+static inline void unfilter_bytes(const unsigned filter, uint8_t *restrict row,
+                                  const uint8_t *restrict above, size_t size, const size_t step) {
+    for (size_t i = 0; i < step && i < size; i++) {
+        row[i] = (uint8_t)(row[i] + predict(filter, 0, above[i], 0));
+    }
+    for (size_t i = step; i < size; i++) {
+        row[i] = (uint8_t)(row[i] + predict(filter, row[i - step], above[i], above[i - step]));
     }
 }
 
-/* In place; false for a filter that does not exist. */
-static inline bool unfilter_row_of(unsigned filter, uint8_t *restrict row,
-                                   const uint8_t *restrict above, size_t size, const size_t step) {
+static inline void unfilter_row_of(unsigned filter, uint8_t *row, const uint8_t *above, size_t size,
+                                   const size_t step) {
     switch (filter) {
-    case FILTER_NONE:
-        return true;
     case FILTER_SUB:
-        unfilter_pixels(FILTER_SUB, row, above, size, step);
-        return true;
+        unfilter_bytes(FILTER_SUB, row, above, size, step);
+        break;
     case FILTER_UP:
-        for (size_t i = 0; i < size; i++) {
-            row[i] = (uint8_t)(row[i] + above[i]);
-        }
-        return true;
+        unfilter_bytes(FILTER_UP, row, above, size, step);
+        break;
     case FILTER_AVERAGE:
-        unfilter_pixels(FILTER_AVERAGE, row, above, size, step);
-        return true;
+        unfilter_bytes(FILTER_AVERAGE, row, above, size, step);
+        break;
     case FILTER_PAETH:
-        unfilter_pixels(FILTER_PAETH, row, above, size, step);
-        return true;
-    default:
-        return false;
+        unfilter_bytes(FILTER_PAETH, row, above, size, step);
+        break;
     }
 }
 
-static bool unfilter_row(unsigned filter, uint8_t *row, const uint8_t *above, size_t size,
+/* In place. Compilers make a loop for each filter and each of the usual sizes of pixels. */
+static void unfilter_row(unsigned filter, uint8_t *row, const uint8_t *above, size_t size,
                          size_t step) {
-    switch (step) {
-    case 1:
-        return unfilter_row_of(filter, row, above, size, 1);
-    case 2:
-        return unfilter_row_of(filter, row, above, size, 2);
-    case 3:
-        return unfilter_row_of(filter, row, above, size, 3);
-    case 4:
-        return unfilter_row_of(filter, row, above, size, 4);
-    default:
-        return unfilter_row_of(filter, row, above, size, step);
+    if (step == 1) {
+        unfilter_row_of(filter, row, above, size, 1);
+    } else if (step == 3) {
+        unfilter_row_of(filter, row, above, size, 3);
+    } else if (step == 4) {
+        unfilter_row_of(filter, row, above, size, 4);
+    } else {
+        unfilter_row_of(filter, row, above, size, step);
     }
 }
 
@@ -527,10 +495,11 @@ static uint8_t *unpack_pass(const struct png *png, struct pass pass, uint8_t *ra
     bool plain = pass.x_step == 1 && has_plain_rows(png);
     for (size_t y = pass.y; width > 0 && y < png->height; y += pass.y_step) {
         uint8_t *row = raw + 1;
-        if (!unfilter_row(raw[0], row, above, size, step)) {
+        if (raw[0] >= FILTER_COUNT) {
             error_set(error, "a PNG with an unknown row filter, %u", raw[0]);
             return NULL;
         }
+        unfilter_row(raw[0], row, above, size, step);
         uint8_t *pixels = image->pixels + (png->height - 1 - y) * image->width * pixel_size;
         if (plain) {
             swap_row(pixels, row, width, pixel_size);
@@ -576,7 +545,7 @@ static bool decode_pixels(const struct png *png, struct image *image, struct err
     memset(memory, 0, row_size);
     bool done =
         zlib_decompress(png->compressed.data, png->compressed.size, raw, (size_t)raw_size, error) &&
-        image_create(image, png->width, png->height, png_format(png), error) &&
+        image_create_unset(image, png->width, png->height, png_format(png), error) &&
         unpack_rows(png, raw, memory, image, error);
     if (!done) {
         image_free(image);

@@ -2,7 +2,6 @@
 #include "files/polygon.h"
 
 #include "base/array.h"
-#include "base/exact.h"
 #include "geometry.h"
 
 #include <assert.h>
@@ -23,6 +22,26 @@ struct polygon_node {
 };
 
 /* ---- Which way points turn ---- */
+
+/* A sum or product of doubles without an error: rounded + rest. Exact as long as nothing over- or
+ * underflows: numbers of 1e-120 to 1e120 in size, and 0. */
+struct exact {
+    double rounded, rest;
+};
+
+/* a + b (Knuth, "The Art of Computer Programming", volume 2, section 4.2.2, theorem B). */
+static struct exact exact_sum(double a, double b) {
+    double sum = a + b;
+    double b_part = sum - a, a_part = sum - b_part;
+    return (struct exact){sum, (a - a_part) + (b - b_part)};
+}
+
+/* a * b: fma() rounds only once, and what is left of the product takes no more bits than a double
+ * has. */
+static struct exact exact_product(double a, double b) {
+    double product = a * b;
+    return (struct exact){product, fma(a, b, -product)};
+}
 
 /* Six products, each of them the sum of two doubles. */
 enum { TERMS = 12 };
@@ -407,11 +426,6 @@ static bool cut_ears(struct polygon_cutter *cutter, size_t size) {
 
 /* ---- Polygons ---- */
 
-static bool reserve_triangles(struct polygon_cutter *cutter, size_t count) {
-    return array_extend(&cutter->triangles, &cutter->triangle_capacity, count,
-                        sizeof *cutter->triangles);
-}
-
 static void cut_as_fan(struct polygon_cutter *cutter, size_t size) {
     for (uint32_t i = 2; i < size; i++) {
         add_triangle(cutter, 0, i - 1, i);
@@ -424,7 +438,9 @@ enum polygon_result polygon_cut(struct polygon_cutter *cutter, const struct vec3
     struct vec3 normal = size > 3 ? polygon_normal(corners, size) : (struct vec3){0, 0, 0};
     bool fan = fan_is_right(corners, size, normal);
     cutter->triangle_count = 0;
-    if (!reserve_triangles(cutter, size - 2) || (!fan && !reserve_nodes(cutter, size))) {
+    if (!array_extend(&cutter->triangles, &cutter->triangle_capacity, size - 2,
+                      sizeof *cutter->triangles) ||
+        (!fan && !reserve_nodes(cutter, size))) {
         return POLYGON_OUT_OF_MEMORY;
     }
     if (fan) {

@@ -27,37 +27,37 @@ static void find_begins(const struct model *model, size_t *begins) {
     }
 }
 
+/* Bring each of the items to its new place. */
+static bool reorder(void *items, size_t size, const size_t *to, size_t count) {
+    char *sorted = malloc(count * size + 1);
+    if (sorted == NULL) {
+        return false;
+    }
+    for (size_t i = 0; i < count; i++) {
+        memcpy(sorted + to[i] * size, (const char *)items + i * size, size);
+    }
+    memcpy(items, sorted, count * size);
+    free(sorted);
+    return true;
+}
+
 /* Faces of one material keep their order. */
 static bool sort_faces(struct model *model, const size_t *begins) {
-    size_t count = model->face_count;
-    size_t *next = malloc((model->material_count + 1) * sizeof *next);
-    struct face *faces = malloc((count + 1) * sizeof *faces);
-    uint32_t *materials = malloc((count + 1) * sizeof *materials);
-    float(*colors)[3] = model->face_colors == NULL ? NULL : malloc((count + 1) * sizeof *colors);
-    bool done = next != NULL && faces != NULL && materials != NULL &&
-                (model->face_colors == NULL || colors != NULL);
+    size_t count = model->face_count, slots = model->material_count + 1;
+    size_t *next = malloc(slots * sizeof *next), *to = malloc((count + 1) * sizeof *to);
+    bool done = next != NULL && to != NULL;
     if (done) {
-        memcpy(next, begins, (model->material_count + 1) * sizeof *next);
+        memcpy(next, begins, slots * sizeof *next);
     }
     for (size_t i = 0; done && i < count; i++) {
-        size_t to = next[slot_of(model, i)]++;
-        faces[to] = model->faces[i];
-        materials[to] = model->face_materials[i];
-        if (colors != NULL) {
-            memcpy(colors[to], model->face_colors[i], sizeof colors[to]);
-        }
+        to[i] = next[slot_of(model, i)]++;
     }
-    if (done) {
-        memcpy(model->faces, faces, count * sizeof *faces);
-        memcpy(model->face_materials, materials, count * sizeof *materials);
-        if (colors != NULL) {
-            memcpy(model->face_colors, colors, count * sizeof *colors);
-        }
-    }
+    done = done && reorder(model->faces, sizeof *model->faces, to, count) &&
+           reorder(model->face_materials, sizeof *model->face_materials, to, count) &&
+           (model->face_colors == NULL ||
+            reorder(model->face_colors, sizeof *model->face_colors, to, count));
     free(next);
-    free(faces);
-    free(materials);
-    free(colors);
+    free(to);
     return done;
 }
 
@@ -121,53 +121,43 @@ static bool read_picture(struct picture *picture, const int *turns, struct error
     return done;
 }
 
+/* A texture of one texel. */
+static bool make_color(struct picture *picture, struct error *why) {
+    uint8_t bgr[3];
+    for (int i = 0; i < 3; i++) {
+        bgr[i] = (uint8_t)(picture->tint[2 - i] * 255 + 0.5F);
+    }
+    const struct image image = {.width = 1, .height = 1, .format = IMAGE_BGR, .pixels = bgr};
+    return texture_create(&picture->texture, &image, why);
+}
+
+static bool is_same(const struct picture *a, const struct picture *b) {
+    bool same_path =
+        a->path == NULL || b->path == NULL ? a->path == b->path : strcmp(a->path, b->path) == 0;
+    return same_path && a->is_normal_map == b->is_normal_map &&
+           memcmp(a->tint, b->tint, sizeof a->tint) == 0;
+}
+
 /* The texture of a file, multiplied by a colour, read at the first call; of no level where it
- * cannot be read. With `turns` it is a normal map of a model that was turned so. */
+ * cannot be read. Without a file (NULL) it is the colour. With `turns` it is a normal map of a
+ * model that was turned so. */
 static bool find_picture(struct parts *parts, const char *path, const float tint[3],
                          const int *turns, struct texture *texture, struct error *why) {
     struct picture picture = {.path = path, .is_normal_map = turns != NULL};
     memcpy(picture.tint, tint, sizeof picture.tint);
     for (size_t i = 0; i < parts->picture_count; i++) {
-        const struct picture *other = &parts->pictures[i];
-        if (other->path != NULL && strcmp(other->path, path) == 0 &&
-            other->is_normal_map == picture.is_normal_map &&
-            memcmp(other->tint, picture.tint, sizeof picture.tint) == 0) {
-            *texture = other->texture;
+        if (is_same(&parts->pictures[i], &picture)) {
+            *texture = parts->pictures[i].texture;
             return true;
         }
     }
-    bool is_read = read_picture(&picture, turns, why);
-    parts->bytes_read += is_read ? file_size(path) : 0;
+    bool is_read = path != NULL ? read_picture(&picture, turns, why) : make_color(&picture, why);
+    parts->bytes_read += path != NULL && is_read ? file_size(path) : 0;
     if (picture.texture.space_guessed) {
         error_set(why, "blue, so it is read as a normal map in tangent space");
         error_name_file(why, path);
     }
-    if (!keep_picture(parts, &picture)) {
-        texture_free(&picture.texture);
-        return false;
-    }
-    *texture = picture.texture;
-    return true;
-}
-
-/* The texture of one texel of that colour, made at the first call. */
-static bool find_color(struct parts *parts, const float color[3], struct texture *texture) {
-    uint8_t bgr[3];
-    for (int i = 0; i < 3; i++) {
-        bgr[i] = (uint8_t)(color[2 - i] * 255 + 0.5F);
-    }
-    for (size_t i = 0; i < parts->picture_count; i++) {
-        struct picture *made = &parts->pictures[i];
-        struct color c = color_from_texel(made->path == NULL ? made->texture.texels[0] : 0);
-        if (made->path == NULL && c.b == bgr[0] && c.g == bgr[1] && c.r == bgr[2]) {
-            *texture = made->texture;
-            return true;
-        }
-    }
-    const struct image image = {.width = 1, .height = 1, .format = IMAGE_BGR, .pixels = bgr};
-    struct picture picture = {0};
-    struct error ignored;
-    if (!texture_create(&picture.texture, &image, &ignored) || !keep_picture(parts, &picture)) {
+    if ((path == NULL && !is_read) || !keep_picture(parts, &picture)) {
         texture_free(&picture.texture);
         return false;
     }
@@ -210,7 +200,7 @@ static bool give_colors(struct parts *parts, const struct drawing_part *part,
         }
         texture_set_clamp(texture, material->clamp);
     }
-    return texture->level_count > 0 || find_color(parts, color, texture);
+    return texture->level_count > 0 || find_picture(parts, NULL, color, NULL, texture, why);
 }
 
 /* The textures of a part; none where its corners have no places in them. */
@@ -304,7 +294,7 @@ bool parts_make(struct parts *parts, struct model *model, struct error *missing,
         done = add_part(parts, model, begins, slot, missing);
     }
     if (done && parts->count == 0) { /* all are hidden */
-        done = find_color(parts, white, &parts->part[0].diffuse);
+        done = find_picture(parts, NULL, white, NULL, &parts->part[0].diffuse, error);
     }
     if (done) {
         parts->part[parts->count] = parts->part[0];

@@ -12,7 +12,7 @@
 struct picture {
     const char *path;   /* belongs to a material; NULL: of a colour */
     bool is_normal_map; /* read as one; the same file may be a colour, too */
-    float tint[3];      /* by which red, green and blue are multiplied */
+    float tint[3];      /* by which red, green and blue are multiplied; or the colour */
     struct texture texture;
 };
 

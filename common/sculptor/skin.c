@@ -151,49 +151,39 @@ static double relief(struct vec3 p, const struct parts *parts) {
     return h + parts->eyebrow * (0.004 + 0.003 * parts->strands);
 }
 
-/* ---- Colour and shine ---- */
+/* ---- Colour and shine: red, green and blue are x, y and z ---- */
 
-struct paint {
-    double r, g, b;
-};
-
-static struct paint blend(struct paint under, struct paint over, double cover) {
-    return (struct paint){mix(under.r, over.r, cover), mix(under.g, over.g, cover),
-                          mix(under.b, over.b, cover)};
+static struct vec3 eye_color(const struct parts *parts) {
+    struct vec3 c = at(214, 203, 194);
+    c = vec3_mix(c, at(88, 66, 46), parts->iris);
+    c = vec3_mix(c, at(16, 14, 14), parts->pupil);
+    return vec3_mix(c, at(60, 44, 38), 0.75 * parts->lid_shadow);
 }
 
-static struct paint eye_color(const struct parts *parts) {
-    struct paint c = {214, 203, 194};
-    c = blend(c, (struct paint){88, 66, 46}, parts->iris);
-    c = blend(c, (struct paint){16, 14, 14}, parts->pupil);
-    return blend(c, (struct paint){60, 44, 38}, 0.75 * parts->lid_shadow);
-}
-
-static struct paint skin_color(struct vec3 p, const struct parts *parts) {
-    struct paint c = {206, 157, 128};
+static struct vec3 skin_color(struct vec3 p, const struct parts *parts) {
+    struct vec3 c = at(206, 157, 128);
     double blood = 0.55 * parts->cheek + 0.6 * parts->nose + 0.5 * parts->ear;
-    c = blend(c, (struct paint){216, 172, 138}, 0.8 * parts->forehead);
-    c = blend(c, (struct paint){204, 128, 108}, clamp(blood, 0, 0.75));
+    c = vec3_mix(c, at(216, 172, 138), 0.8 * parts->forehead);
+    c = vec3_mix(c, at(204, 128, 108), clamp(blood, 0, 0.75));
     double blotch = noise(vec3_scale(p, 9), 51);
-    c = blend(c, (struct paint){192, 134, 110}, clamp(0.25 + 0.5 * blotch, 0, 0.4));
-    c = blend(c, (struct paint){178, 120, 98}, clamp(0.3 * parts->broad, 0, 1));
+    c = vec3_mix(c, at(192, 134, 110), clamp(0.25 + 0.5 * blotch, 0, 0.4));
+    c = vec3_mix(c, at(178, 120, 98), clamp(0.3 * parts->broad, 0, 1));
     double dots = clamp(0.34 + 0.5 * parts->fine, 0, 0.8);
-    c = blend(c, (struct paint){134, 112, 100}, parts->stubble * dots);
-    return blend(c, (struct paint){170, 98, 88}, 0.75 * parts->lip);
+    c = vec3_mix(c, at(134, 112, 100), parts->stubble * dots);
+    return vec3_mix(c, at(170, 98, 88), 0.75 * parts->lip);
 }
 
-static struct paint color_of(struct vec3 p, const struct parts *parts) {
-    struct paint c = parts->hair < 1 ? skin_color(p, parts) : (struct paint){0, 0, 0};
+static struct vec3 color_of(struct vec3 p, const struct parts *parts) {
+    struct vec3 c = parts->hair < 1 ? skin_color(p, parts) : at(0, 0, 0);
     double strand = parts->strands;
-    struct paint hair = blend((struct paint){46, 31, 22}, (struct paint){122, 88, 60},
-                              clamp(0.35 + 0.5 * strand, 0, 1));
-    c = blend(c, hair, parts->hair);
-    c = blend(c, (struct paint){66, 47, 36}, parts->eyebrow * clamp(0.8 + 0.5 * strand, 0, 1));
-    c = blend(c, eye_color(parts), parts->eye);
-    c = blend(c, (struct paint){58, 38, 32}, 0.85 * parts->lash);
-    c = blend(c, (struct paint){40, 20, 16}, 0.9 * parts->nostril);
+    struct vec3 hair = vec3_mix(at(46, 31, 22), at(122, 88, 60), clamp(0.35 + 0.5 * strand, 0, 1));
+    c = vec3_mix(c, hair, parts->hair);
+    c = vec3_mix(c, at(66, 47, 36), parts->eyebrow * clamp(0.8 + 0.5 * strand, 0, 1));
+    c = vec3_mix(c, eye_color(parts), parts->eye);
+    c = vec3_mix(c, at(58, 38, 32), 0.85 * parts->lash);
+    c = vec3_mix(c, at(40, 20, 16), 0.9 * parts->nostril);
     /* Light hardly reaches the bottom of a fold. */
-    return blend(c, (struct paint){60, 34, 28}, clamp(1.3 * parts->cavity - 0.05, 0, 0.75));
+    return vec3_mix(c, at(60, 34, 28), clamp(1.3 * parts->cavity - 0.05, 0, 0.75));
 }
 
 static double shine(const struct parts *parts) {
@@ -282,9 +272,9 @@ static void paint_colors(struct skin *skin, const struct surface *surface, doubl
             struct parts parts = find_parts(p, surface_number(surface, surface->ear, u, v),
                                             surface_number(surface, surface->cavity, u, v));
             heights[y * size + x] = relief(p, &parts);
-            struct paint c = color_of(p, &parts);
+            struct vec3 c = color_of(p, &parts);
             image_set(&skin->diffuse, (int)x, (int)y,
-                      color_rgb(level_from(c.r), level_from(c.g), level_from(c.b)));
+                      color_rgb(level_from(c.x), level_from(c.y), level_from(c.z)));
             image_set(&skin->specular, (int)x, (int)y, color_grey(level_from(shine(&parts))));
         }
     }

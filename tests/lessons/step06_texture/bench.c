@@ -225,7 +225,7 @@ static bool target_create(struct target *target, size_t side, struct error *erro
 
 static bool make_hill(struct target *hill, struct error *error) {
     if (!target_create(hill, HILL_SIDE, error) ||
-        !make_square(&hill->texture, HILL_TEXELS, hill_texel, error)) {
+        !paint_picture(&hill->texture, HILL_TEXELS, HILL_TEXELS, hill_texel, error)) {
         return false;
     }
     texture_set_clamp(&hill->texture, true);

@@ -200,7 +200,7 @@ static bool make_busts(struct error *error) {
         return false;
     }
     work.uniforms = make_uniforms(&drawing, SIDE);
-    work.call = pipeline_call(&drawing, grid_cell(SIDE, SIDE, 1, 1, 0, 0), 0.85, CULL_BACK);
+    work.call = pipeline_call(&drawing, grid_cell(SIDE, SIDE, 1, 1, 0), 0.85, CULL_BACK);
     return true;
 }
 

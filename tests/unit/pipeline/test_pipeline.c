@@ -378,15 +378,15 @@ static void test_depth_overflows(void) {
 
 static void test_grid_cell(void) {
     int total = 0;
-    for (int row = 0; row < 3; row++) {
-        for (int column = 0; column < 4; column++) {
-            struct rectangle r = grid_cell(10, 7, 4, 3, column, row);
-            total += r.width * r.height;
-        }
+    for (int cell = 0; cell < 12; cell++) {
+        struct rectangle r = grid_cell(10, 7, 4, 3, cell);
+        total += r.width * r.height;
     }
     CHECK(total == 70);
-    struct rectangle top_left = grid_cell(10, 10, 2, 2, 0, 0);
+    struct rectangle top_left = grid_cell(10, 10, 2, 2, 0),
+                     right_of_it = grid_cell(10, 10, 2, 2, 1);
     CHECK(top_left.x == 0 && top_left.y == 5 && top_left.width == 5 && top_left.height == 5);
+    CHECK(right_of_it.x == 5 && right_of_it.y == 5);
 }
 
 /* Not a number and infinity anywhere: nothing may trap. */
