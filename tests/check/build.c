@@ -12,7 +12,6 @@
 #include <unistd.h>
 
 enum {
-    GIVEN_SECONDS = 600,      /* for what is built before the steps */
     COMPILER_GIGABYTES = 2,   /* memory of each process that builds a step */
     COMPILER_ROOM = 64000000, /* bytes on the disk that it may also need */
     NOT_FOUND_STATUS = 127    /* of a shell that does not find the command */
@@ -161,21 +160,6 @@ static bool remove_old(const char *program, struct error *error) {
         }
     }
     return true;
-}
-
-bool build_given(const struct options *options, struct error *error) {
-    if (options->first[0] == '\0' || run_caught_signal() != 0) {
-        return true;
-    }
-    const struct run_limits limits = {.seconds = GIVEN_SECONDS};
-    struct run_result result = {.end = RUN_EXITED};
-    bool done = call_make(options, options->first, &limits, &result, error);
-    if (done && run_caught_signal() == 0 && !make_succeeded(&result)) {
-        done = error_set(error, "cannot build %.100s: %s", options->first,
-                         make_failure(&result, limits.seconds).text);
-    }
-    bytes_free(&result.messages);
-    return done;
 }
 
 /* Those of a compiler, behind a line's or a column's number: make has its own warnings. */

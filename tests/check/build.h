@@ -17,10 +17,6 @@
  * message, when the directory cannot be written. */
 bool build_lock(const struct options *options, struct error *error);
 
-/* Build what the steps need: the library, the models. False, with a message, when that
- * fails. */
-bool build_given(const struct options *options, struct error *error);
-
 /* How a step was built. */
 struct build_result {
     struct message_line reason;  /* why it could not be; or empty */

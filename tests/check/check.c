@@ -17,9 +17,9 @@
  * To a person at a terminal it says less, and what to do next; what is only unfinished has not
  * failed then, and the status is 0.
  *
- * Exit status: 0 all passed, 1 something failed, 2 the check itself cannot work (wrong usage, the
- * models cannot be made, a reference is missing, unreadable or blank, the disk is full, an old file
- * cannot be removed, or nobody gets the score).
+ * Exit status: 0 all passed, 1 something failed, 2 the check itself cannot work (wrong usage, a
+ * reference is missing, unreadable or blank, the disk is full, an old file cannot be removed, or
+ * nobody gets the score).
  */
 #define _POSIX_C_SOURCE 200809L
 
@@ -64,8 +64,7 @@ static bool select_steps(struct scene_table *table, char **steps, struct error *
 
 static bool check_steps(const struct options *options, const struct scene_table *table,
                         struct check_result *result, struct error *error) {
-    if (!build_lock(options, error) || !build_given(options, error) ||
-        !check_result_create(result, table->step_count, error)) {
+    if (!build_lock(options, error) || !check_result_create(result, table->step_count, error)) {
         return false;
     }
     for (size_t i = 0; i < table->step_count && run_caught_signal() == 0; i++) {

@@ -19,7 +19,7 @@ $(error HIDDEN=$(HIDDEN): hidden scenes are drawn where the solutions are)
 endif
 endif
 .PHONY: check
-check: $(BUILD)/check $(HIDDEN:%=$(BUILD)/hidden) $(if $(MAKE_TERMOUT),$(BUILD)/show)
+check: $(BUILD)/check models $(HIDDEN:%=$(BUILD)/hidden) $(if $(MAKE_TERMOUT),$(BUILD)/show)
 	$(END_LINE)
 	@$(if $(SANITIZE),ASAN_OPTIONS=detect_leaks=0:handle_abort=1 UBSAN_OPTIONS=print_stacktrace=1 \
 	                CHECK_TIMEOUT=$${CHECK_TIMEOUT:-60}) \

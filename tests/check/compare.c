@@ -12,17 +12,13 @@ static inline struct color pixel_at(const struct image *image, size_t x, size_t 
     return image->format == IMAGE_GREY ? color_grey(p[0]) : color_rgb(p[2], p[1], p[0]);
 }
 
-static inline bool agree(struct color a, struct color b) {
-    return color_distance(a, b) <= COMPARE_LEVELS;
-}
-
 /* ---- The rule ---- */
 
 /* Does a pixel of the 3x3 around (x,y) agree with the colour? */
 static bool is_around(const struct image *image, size_t x, size_t y, struct color color) {
     for (size_t j = y > 0 ? y - 1 : 0; j <= y + 1 && j < image->height; j++) {
         for (size_t i = x > 0 ? x - 1 : 0; i <= x + 1 && i < image->width; i++) {
-            if (agree(pixel_at(image, i, j), color)) {
+            if (colors_agree(pixel_at(image, i, j), color)) {
                 return true;
             }
         }
@@ -37,7 +33,7 @@ static unsigned mark_pixel(const struct image *reference, const struct image *yo
     if (color_distance(wanted, got) == 0) {
         return MARK_EQUAL;
     }
-    if (agree(wanted, got)) {
+    if (colors_agree(wanted, got)) {
         return MARK_NEAR;
     }
     bool is_matched = is_around(yours, x, y, wanted) && is_around(reference, x, y, got);

@@ -46,6 +46,10 @@ static inline int color_distance(struct color a, struct color b) {
     return most > blue ? most : blue;
 }
 
+static inline bool colors_agree(struct color a, struct color b) {
+    return color_distance(a, b) <= COMPARE_LEVELS;
+}
+
 /* Is it (0,0,0)? */
 static inline bool color_is_black(struct color color) {
     return color.r == 0 && color.g == 0 && color.b == 0;

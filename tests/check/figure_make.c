@@ -53,18 +53,14 @@ static bool read_area(struct figure_area *area, const char *text, struct error *
            error_set(error, "not a part of a picture, as 60x40+10+20: %.100s", text);
 }
 
-static bool is_apart(const struct image *reference, const struct image *wrong, size_t x, size_t y) {
-    return color_distance(image_get(reference, (int)x, (int)y), image_get(wrong, (int)x, (int)y)) >
-           COMPARE_LEVELS;
-}
-
 /* The smallest part with all pixels of `area` that are apart; of width 0 when none is. */
 static struct figure_area find_apart(const struct image *reference, const struct image *wrong,
                                      struct figure_area area) {
     size_t left = SIZE_MAX, bottom = SIZE_MAX, right = 0, top = 0;
     for (size_t y = area.y; y < area.y + area.height; y++) {
         for (size_t x = area.x; x < area.x + area.width; x++) {
-            if (is_apart(reference, wrong, x, y)) {
+            if (!colors_agree(image_get(reference, (int)x, (int)y),
+                              image_get(wrong, (int)x, (int)y))) {
                 left = x < left ? x : left;
                 right = x + 1 > right ? x + 1 : right;
                 bottom = y < bottom ? y : bottom;
@@ -109,10 +105,9 @@ static bool is_within(struct figure_area area, const struct image *picture) {
 }
 
 static bool is_black(const struct image *picture, struct figure_area area) {
-    const struct color black = {.a = 255};
     for (size_t y = area.y; y < area.y + area.height; y++) {
         for (size_t x = area.x; x < area.x + area.width; x++) {
-            if (color_distance(image_get(picture, (int)x, (int)y), black) > COMPARE_LEVELS) {
+            if (!colors_agree(image_get(picture, (int)x, (int)y), color_grey(0))) {
                 return false;
             }
         }

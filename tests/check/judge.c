@@ -78,16 +78,15 @@ static void describe_first(struct item_result *item, const struct tally *tally,
 }
 
 /* Judge a picture that is not exact by its limits. Returns the pixels to report. */
-static const struct tally *judge_shares(struct item_result *item,
-                                        const struct checked_scene *scene) {
+static const struct tally *judge_shares(struct item_result *item) {
     const struct comparison *shares = &item->shares;
-    const struct verdict verdict = verdict_find(shares, scene);
+    const struct verdict verdict = verdict_find(shares, item->rule);
     const uint64_t drawn = shares->drawn, differing = shares->differing.count;
     if (verdict.passes) {
         item->state = RESULT_PASS;
         result_say(&item->message, "%s differ (%s pixel%s)", share_show(differing, drawn, 0).text,
                    show_count(differing).text, differing == 1 ? "" : "s");
-    } else if (scene->exact) {
+    } else if (item->rule->exact) {
         result_say(&item->message, "%s of %s drawn pixels differ (must be exact)",
                    show_count(differing).text, show_count(drawn).text);
     } else if (verdict.what == NULL) {
@@ -145,7 +144,7 @@ static void judge_picture(const struct judging *judging, size_t i, const struct 
     if (item->exact) {
         item->state = RESULT_PASS;
     } else {
-        const struct tally *tally = judge_shares(item, &judging->step->scenes[i]);
+        const struct tally *tally = judge_shares(item);
         describe_first(item, tally, reference, yours);
         is_near = tally == &item->shares.near;
     }
@@ -229,8 +228,8 @@ static void drop_pictures(struct item_result *item) {
 /* A picture of an earlier check must not be taken for one of this check. */
 static void remove_old_pictures(const struct judging *judging) {
     for (size_t i = 0; i < judging->step->scene_count; i++) {
-        unlink(kept_path(judging, "", judging->step->scenes[i].name).text);
-        unlink(kept_path(judging, "yours/", judging->step->scenes[i].name).text);
+        unlink(kept_path(judging, "", judging->step->items[i].scene).text);
+        unlink(kept_path(judging, "yours/", judging->step->items[i].scene).text);
     }
 }
 
@@ -284,8 +283,8 @@ static void read_references(struct judging *judging) {
     mistakes_read(&judging->mistakes, list);
     for (size_t i = 0; i < judging->step->scene_count; i++) {
         looks_read(&judging->looks[i], &judging->mistakes, judging->options->looks,
-                   judging->step->name, judging->step->scenes[i].name);
-        struct result_path path = reference_path(judging, judging->step->scenes[i].name);
+                   judging->step->name, judging->step->items[i].scene);
+        struct result_path path = reference_path(judging, judging->step->items[i].scene);
         struct image *reference = &judging->references[i];
         if (image_read(reference, path.text, &judging->errors[i]) && image_is_blank(reference)) {
             error_set(&judging->errors[i], "%.900s: is blank", path.text);
@@ -481,18 +480,18 @@ static bool judge_work(const struct judging *judging, struct item_result *item,
 
 /* Let the program draw something new in two ways that must give the same picture. The first
  * relation that does not hold is reported. */
-static bool judge_relations(const struct judging *judging, const struct checked_work *work,
-                            struct item_result *item, struct error *error) {
+static bool judge_relations(const struct judging *judging, struct item_result *item,
+                            struct error *error) {
     for (int i = 0; i < RELATION_COUNT; i++) {
         struct relation_result tried;
-        if (!work->relations[i]) {
+        if (!item->rule->relations[i]) {
             continue;
         }
-        if (!relation_try(judging->options->programs, judging->step->name, work->scene,
+        if (!relation_try(judging->options->programs, judging->step->name, item->scene,
                           (enum relation)i, &judging->limits, &tried, error)) {
             return false;
         }
-        if (!tried.drawn || !share_within(tried.differing, tried.drawn_pixels, work->limit)) {
+        if (!tried.drawn || !share_within(tried.differing, tried.drawn_pixels, item->rule->limit)) {
             result_say(&item->message, "%s", tried.text);
             return true;
         }
@@ -504,18 +503,16 @@ static bool judge_relations(const struct judging *judging, const struct checked_
 /* Little work is no merit where the picture is wrong. */
 static bool judge_works(const struct judging *judging, struct error *error) {
     struct step_result *result = judging->result;
-    size_t pictures = judging->step->scene_count;
     bool done = true;
-    for (size_t i = pictures; i < result->item_count && done; i++) {
+    for (size_t i = judging->step->scene_count; i < result->item_count && done; i++) {
         struct item_result *item = &result->items[i];
-        const struct checked_work *work = &judging->step->works[i - pictures];
-        if (work->kind == WORK_NUMBERS) {
+        if (item->is_numbers) {
             continue;
         }
         const struct item_result *picture = result_picture_of(result, item);
         if (picture->state == RESULT_PASS) {
-            done = work->kind == WORK_RELATIONS ? judge_relations(judging, work, item, error)
-                                                : judge_work(judging, item, error);
+            done = item->rule->kind == ITEM_RELATIONS ? judge_relations(judging, item, error)
+                                                      : judge_work(judging, item, error);
         } else {
             item->state = picture->state;
             item->unjudged = true;
@@ -631,12 +628,10 @@ static void tell_likenesses(const struct judging *judging) {
     }
 }
 
-/* Does item i fail for its work, which no picture shows? */
-static bool is_wrong_work(const struct judging *judging, size_t i) {
-    const struct item_result *item = &judging->result->items[i];
-    size_t pictures = judging->step->scene_count;
-    return i >= pictures && judging->step->works[i - pictures].kind == WORK_COUNTER &&
-           item->state == RESULT_FAIL && !item->blamed && !item->unjudged;
+/* Does it fail for its work, which no picture shows? */
+static bool is_wrong_work(const struct item_result *item) {
+    return item->rule->kind == ITEM_COUNTER && item->state == RESULT_FAIL && !item->blamed &&
+           !item->unjudged;
 }
 
 /* Is it a picture that says nothing, blank or missing for a division by 0? */
@@ -665,7 +660,7 @@ static bool count_and_tell(const struct judging *judging, struct error *error) {
         struct run_result end = {.end = RUN_EXITED};
         if (is_not_there(item)) {
             tell_counted(judging, item, "");
-        } else if (is_wrong_work(judging, i)) {
+        } else if (is_wrong_work(item)) {
             done = run_counting(judging, item->scene, &output, &end, error);
             if (done && ended_well(&end)) {
                 tell_counted(judging, item, (const char *)output.data);

@@ -93,21 +93,10 @@ static size_t find_distance(const struct looks *looks, size_t row, const struct 
     return distance;
 }
 
-/* A black picture looks like that of every mistake that makes all nearly black. */
-static bool is_all_black(const struct looks *looks, const struct image *picture) {
-    for (size_t i = 0; i < looks->pixels.width; i++) {
-        struct place place = looks_place(&looks->pixels, i);
-        if (!color_is_black(image_get(picture, (int)place.x, (int)place.y))) {
-            return false;
-        }
-    }
-    return true;
-}
-
-/* At how many of the pixels has the picture a colour that the reference has not? What is black
- * there says little: pictures that lack much look the same. */
-static size_t count_wrong_colors(const struct looks *looks, const struct image *picture,
-                                 int levels) {
+/* At how many of the pixels has the picture a colour that is more than so many levels from the
+ * reference's? (-1: any colour.) What is black there says little: pictures that lack much look the
+ * same. */
+static size_t count_colors(const struct looks *looks, const struct image *picture, int levels) {
     size_t count = 0;
     for (size_t i = 0; i < looks->pixels.width; i++) {
         struct place place = looks_place(&looks->pixels, i);
@@ -129,21 +118,21 @@ static bool is_up_to_date(const struct looks *looks, const struct image *referen
     return find_distance(looks, 1, reference, 0) == 0;
 }
 
-static uint64_t apart_of(const struct looks *looks, size_t row) {
+/* What is known of the mistakes that draw the same. */
+struct known {
+    size_t names;
+    uint64_t apart; /* in the picture of the first of them */
+};
+
+static struct known known_of(const struct looks *looks, size_t row) {
+    struct known known = {.names = 0};
     for (size_t i = 0; i < looks->mistakes->count; i++) {
-        if (looks->list[i].row == row) {
-            return looks->list[i].apart;
+        const struct look *look = &looks->list[i];
+        if (look->row == row && known.names++ == 0) {
+            known.apart = look->apart;
         }
     }
-    return 0;
-}
-
-static size_t count_names(const struct looks *looks, size_t row) {
-    size_t names = 0;
-    for (size_t i = 0; i < looks->mistakes->count; i++) {
-        names += looks->list[i].row == row;
-    }
-    return names;
+    return known;
 }
 
 /* Are as many pixels apart as in a picture of the mistake? */
@@ -162,9 +151,9 @@ struct likeness looks_find(const struct looks *looks, const struct image *refere
         return none;
     }
     for (size_t row = LOOKS_FIRST_ROW; row < looks->pixels.height; row++) {
-        bool named = count_names(looks, row) > 0; /* what is not may still be the nearest */
-        if (named && (apart_of(looks, row) == 0) != (apart == 0)) {
-            continue;
+        const struct known known = known_of(looks, row);
+        if (known.names > 0 && (known.apart == 0) != (apart == 0)) {
+            continue; /* what has no name may still be the nearest */
         }
         size_t distance = find_distance(looks, row, yours, levels);
         if (best.row == 0 || distance < best.distance) {
@@ -174,15 +163,15 @@ struct likeness looks_find(const struct looks *looks, const struct image *refere
             second = distance;
         }
     }
-    size_t wrong = count_wrong_colors(looks, yours, levels);
-    size_t names = count_names(looks, best.row);
-    uint64_t of_mistake = apart_of(looks, best.row);
-    bool is_same =
-        best.distance == 0 && apart > 0 && apart == of_mistake && !is_all_black(looks, yours);
+    size_t wrong = count_colors(looks, yours, levels);
+    const struct known known = known_of(looks, best.row);
+    bool is_same = best.distance == 0 && apart > 0 && apart == known.apart &&
+                   count_colors(looks, yours, -1) > 0;
     bool is_near = wrong >= LEAST_WRONG && best.distance <= wrong / UNEXPLAINED &&
-                   is_as_far(apart, of_mistake);
+                   is_as_far(apart, known.apart);
     bool is_clear = second > 2 * best.distance;
-    bool is_told = (is_same || is_near) && is_clear && names > 0 && names <= LOOKS_NAME_LIMIT;
+    bool is_told =
+        (is_same || is_near) && is_clear && known.names > 0 && known.names <= LOOKS_NAME_LIMIT;
     return is_told ? best : none;
 }
 
@@ -259,14 +248,9 @@ bool looks_small(struct image *small, const char *path, size_t row, const struct
     }
     bool is_there = row >= LOOKS_FIRST_ROW && sheet.height == size.height &&
                     (row - LOOKS_FIRST_ROW + 1) * size.width <= sheet.width;
-    bool done = is_there ? image_create(small, size.width, size.height, IMAGE_BGR, error)
+    bool done = is_there ? picture_part(small, &sheet, (row - LOOKS_FIRST_ROW) * size.width, 0, 1,
+                                        size.width, size.height, error)
                          : error_set(error, "%.900s: has no picture %zu", path, row);
-    for (size_t y = 0; done && y < size.height; y++) {
-        for (size_t x = 0; x < size.width; x++) {
-            size_t column = (row - LOOKS_FIRST_ROW) * size.width + x;
-            image_set(small, (int)x, (int)y, image_get(&sheet, (int)column, (int)y));
-        }
-    }
     image_free(&sheet);
     return done;
 }

@@ -205,9 +205,9 @@ static bool build_and_call(struct calling *calling, const char *source, struct e
 
 static void begin(struct calling *calling, const char *source, struct step_result *result) {
     calling->argument_count = ARGUMENT_COUNT - 1;
-    for (size_t i = 0; i < calling->step->work_count; i++) {
-        struct item_result *item = &result->items[calling->step->scene_count + i];
-        if (calling->step->works[i].kind == WORK_NUMBERS) {
+    for (size_t i = 0; i < result->item_count; i++) {
+        struct item_result *item = &result->items[i];
+        if (item->is_numbers) {
             calling->tasks[calling->count++].item = item;
             if (todo_has_task(source, item->counter)) {
                 leave_out(calling, item->counter);
@@ -220,8 +220,8 @@ bool numbers_judge(const struct options *options, const struct checked_step *ste
                    const char *source, struct step_result *result, struct error *error) {
     struct calling calling = {.options = options, .step = step};
     snprintf(calling.name, sizeof calling.name, "numbers/%s", step->name);
-    calling.tasks = calloc(step->work_count + 1, sizeof *calling.tasks);
-    calling.arguments = calloc(2 * step->work_count + ARGUMENT_COUNT, sizeof *calling.arguments);
+    calling.tasks = calloc(step->item_count + 1, sizeof *calling.tasks);
+    calling.arguments = calloc(2 * step->item_count + ARGUMENT_COUNT, sizeof *calling.arguments);
     bool done = false;
     if (calling.tasks == NULL || calling.arguments == NULL) {
         error_out_of_memory(error);

@@ -12,7 +12,7 @@
 
 #include <stdbool.h>
 
-/* Build the program, let it call the functions, and judge the step's items of kind WORK_NUMBERS:
+/* Build the program, let it call the functions, and judge the step's items of kind ITEM_NUMBERS:
  * their state and the first call that is wrong. Tasks that are to do in `source`, the text of
  * main.c, are not called. A program that cannot be built fails them all; false, with a message, is
  * for what the check itself cannot do. */

@@ -19,7 +19,6 @@ static const struct options default_options = {
     .programs = "build",
     .differences = "build/differences",
     .make = "make",
-    .first = "models",
     .only = "",
     .shares = "",
     .counted = "",
@@ -92,7 +91,6 @@ static struct known known_options(struct options *o) {
         {"--differences", "DIR", "where difference images go (build/differences)", read_path,
          &o->differences},
         {"--make", "COMMAND", "builds DIR/STEP, the target (make)", read_path, &o->make},
-        {"--first", "TARGET", "what make builds before the steps (models)", read_path, &o->first},
         {"--only", "SCENE", "draw and compare just this scene of a step", read_path, &o->only},
         {"--shares", "FILE",
          "add a line to it for each picture: step, scene, % wrong, % apart,\n"

@@ -11,8 +11,7 @@
 
 /* Paths begin at the root, where the check runs. None is longer than DRAWN_PATH_LIMIT / 2. */
 struct options {
-    const char *root, *scenes, *sources, *references, *looks, *programs, *differences, *make,
-        *first;
+    const char *root, *scenes, *sources, *references, *looks, *programs, *differences, *make;
     const char *only;    /* judge just this scene; "" means all */
     const char *shares;  /* a file to add each picture's numbers to, or "" */
     const char *counted; /* one to add to what shows a mistake that no picture shows, or "" */

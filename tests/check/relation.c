@@ -1,6 +1,7 @@
 /* Two pictures of the same program that must agree: see relation.h. */
 #include "relation.h"
 
+#include "check/page/pictures.h"
 #include "compare.h"
 #include "unseen.h"
 
@@ -63,21 +64,6 @@ static bool draw(struct image *image, const char *programs, const char *step, co
     return done;
 }
 
-/* `part` becomes what the image shows from (x,y) on, every `step`th pixel, in that size. */
-static bool take_part(struct image *part, const struct image *image, size_t x, size_t y,
-                      size_t step, size_t width, size_t height, struct error *error) {
-    if (!image_create(part, width, height, IMAGE_BGR, error)) {
-        return false;
-    }
-    for (size_t row = 0; row < height; row++) {
-        for (size_t column = 0; column < width; column++) {
-            image_set(part, (int)column, (int)row,
-                      image_get(image, (int)(x + column * step), (int)(y + row * step)));
-        }
-    }
-    return true;
-}
-
 /* Halved, an edge may be a pixel off: there only what has no match next to it counts. */
 static bool compare(struct relation_result *result, enum relation relation,
                     const struct image *first, const struct image *second, struct error *error) {
@@ -85,11 +71,11 @@ static bool compare(struct relation_result *result, enum relation relation,
     size_t right = (size_t)variant->right, up = (size_t)variant->up;
     size_t width = first->width - right, height = first->height - up;
     struct image before, after;
-    if (!take_part(&before, first, 0, 0, 1, width, height, error)) {
+    if (!picture_part(&before, first, 0, 0, 1, width, height, error)) {
         return false;
     }
-    if (!take_part(&after, second, right, up, relation == RELATION_HALVED ? 2 : 1, width, height,
-                   error)) {
+    if (!picture_part(&after, second, right, up, relation == RELATION_HALVED ? 2 : 1, width, height,
+                      error)) {
         image_free(&before);
         return false;
     }

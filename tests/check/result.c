@@ -45,7 +45,7 @@ void check_result_free(struct check_result *result) {
 bool step_result_begin(struct step_result *result, const struct checked_step *step,
                        struct error *error) {
     *result = (struct step_result){.name = step->name, .state = RESULT_FAIL};
-    result->item_count = step->scene_count + step->work_count;
+    result->item_count = step->item_count;
     result->items = calloc(result->item_count, sizeof *result->items);
     result->tasks = calloc(result->item_count * SCENE_TASK_LIMIT, sizeof *result->tasks);
     if (result->items == NULL || result->tasks == NULL) {
@@ -53,22 +53,15 @@ bool step_result_begin(struct step_result *result, const struct checked_step *st
         return error_out_of_memory(error);
     }
     for (size_t i = 0; i < result->item_count; i++) {
-        struct item_result *item = &result->items[i];
-        item->state = RESULT_FAIL;
-        if (i < step->scene_count) {
-            item->scene = step->scenes[i].name;
-            item->counter = "";
-            item->credit = &step->scenes[i].credit;
-            item->rule = &step->scenes[i];
-        } else {
-            const struct checked_work *work = &step->works[i - step->scene_count];
-            item->scene = work->scene;
-            item->counter = work->counter;
-            item->credit = &work->credit;
-            item->most = work->most;
-            item->least = work->least;
-            item->is_numbers = work->kind == WORK_NUMBERS;
-        }
+        const struct checked_item *rule = &step->items[i];
+        result->items[i] = (struct item_result){.scene = rule->scene,
+                                                .counter = rule->counter,
+                                                .is_numbers = rule->kind == ITEM_NUMBERS,
+                                                .credit = &rule->credit,
+                                                .rule = rule,
+                                                .state = RESULT_FAIL,
+                                                .most = rule->most,
+                                                .least = rule->least};
     }
     return true;
 }

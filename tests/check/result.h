@@ -48,7 +48,7 @@ struct item_result {
     const char *counter;
     bool is_numbers;
     const struct credit *credit;
-    const struct checked_scene *rule; /* of a picture: how it is compared; else NULL */
+    const struct checked_item *rule; /* the table's line: how it is judged */
     enum result_state state;
     unsigned points;            /* 0, or all of them */
     struct result_text message; /* what is wrong, or not exact; empty when there is nothing */

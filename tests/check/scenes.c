@@ -32,7 +32,8 @@ static long step_number(const char *name) {
     return *end == '_' ? number : -1;
 }
 
-/* The table's last step if it has this name, otherwise a new one; NULL with a message. */
+/* The table's last step if it has this name and only pictures so far, otherwise a new one; NULL
+ * with a message. */
 static struct checked_step *find_or_add_step(struct scene_table *table, struct text *text,
                                              struct word word, struct error *error) {
     char name[SCENE_NAME_LIMIT];
@@ -43,8 +44,9 @@ static struct checked_step *find_or_add_step(struct scene_table *table, struct t
     }
     for (size_t i = 0; i < table->step_count; i++) {
         if (strcmp(table->steps[i].name, name) == 0) {
-            if (i + 1 == table->step_count) {
-                return &table->steps[i];
+            struct checked_step *step = &table->steps[i];
+            if (i + 1 == table->step_count && step->item_count == step->scene_count) {
+                return step;
             }
             text_error(error, text->line, "the scenes of %s must be together", name);
             return NULL;
@@ -187,15 +189,15 @@ static bool read_end(struct text *text, struct error *error) {
 }
 
 /* `exact`, or three limits and perhaps a fourth: without it any number of pixels may be near. */
-static bool read_limits(struct checked_scene *scene, struct text *text, struct error *error) {
-    unsigned *limits[] = {&scene->wrong_limit, &scene->apart_limit, &scene->coverage_limit,
-                          &scene->near_limit};
+static bool read_limits(struct checked_item *item, struct text *text, struct error *error) {
+    unsigned *limits[] = {&item->wrong_limit, &item->apart_limit, &item->coverage_limit,
+                          &item->near_limit};
     struct word word = text_next_word(text);
-    scene->exact = word_is(word, "exact");
-    if (scene->exact) {
+    item->exact = word_is(word, "exact");
+    if (item->exact) {
         return read_end(text, error);
     }
-    scene->near_limit = 100 * 1000;
+    item->near_limit = 100 * 1000;
     for (size_t i = 0; i < 4 && (i < 3 || word.length > 0); i++) {
         if (!read_limit(limits[i], text, word, error)) {
             return false;
@@ -204,43 +206,6 @@ static bool read_limits(struct checked_scene *scene, struct text *text, struct e
     }
     return word.length == 0 ||
            text_error(error, text->line, "unexpected '%s'", word_show(word).text);
-}
-
-static bool has_scene(const struct checked_step *step, const char *name) {
-    for (size_t i = 0; i < step->scene_count; i++) {
-        if (strcmp(step->scenes[i].name, name) == 0) {
-            return true;
-        }
-    }
-    return false;
-}
-
-static bool read_scene(struct scene_table *table, struct text *text, struct word step_name,
-                       struct error *error) {
-    struct checked_step *step = find_or_add_step(table, text, step_name, error);
-    if (step == NULL) {
-        return false;
-    }
-    struct word word = text_next_word(text);
-    struct checked_scene scene = {.exact = false};
-    if (!name_copy(scene.name, word)) {
-        return text_error(error, text->line, "'%s' is not the name of a scene",
-                          word_show(word).text);
-    }
-    if (has_scene(step, scene.name)) {
-        return text_error(error, text->line, "%s is here twice", scene.name);
-    }
-    if (!read_credit(&scene.credit, text, error) || !read_limits(&scene, text, error)) {
-        return false;
-    }
-    struct checked_scene *scenes =
-        array_reserve(step->scenes, &step->scene_capacity, step->scene_count + 1, sizeof *scenes);
-    if (scenes == NULL) {
-        return error_out_of_memory(error);
-    }
-    step->scenes = scenes;
-    scenes[step->scene_count++] = scene;
-    return true;
 }
 
 static bool read_count(uint64_t *count, struct text *text, struct word word, struct error *error) {
@@ -254,28 +219,28 @@ static bool read_count(uint64_t *count, struct text *text, struct word word, str
     return true;
 }
 
-static bool read_counter(struct checked_work *work, struct text *text, struct error *error) {
+static bool read_counter(struct checked_item *item, struct text *text, struct error *error) {
     struct word word = text_next_word(text);
-    if (!name_copy(work->counter, word)) {
+    if (!name_copy(item->counter, word)) {
         return text_error(error, text->line, "'%s' is not the name of a counter",
                           word_show(word).text);
     }
-    if (!read_count(&work->most, text, text_next_word(text), error)) {
+    if (!read_count(&item->most, text, text_next_word(text), error)) {
         return false;
     }
     word = text_next_word(text);
     return word.length == 0 ||
-           (read_count(&work->least, text, word, error) && read_end(text, error));
+           (read_count(&item->least, text, word, error) && read_end(text, error));
 }
 
 static const char *const relation_names[RELATION_COUNT] = {"shuffled", "turned", "reversed",
                                                            "moved", "halved"};
 
 /* Note the relation of that name; false when there is none, or it is noted already. */
-static bool add_relation(struct checked_work *work, struct word name) {
+static bool add_relation(struct checked_item *item, struct word name) {
     for (size_t i = 0; i < RELATION_COUNT; i++) {
-        if (word_is(name, relation_names[i]) && !work->relations[i]) {
-            work->relations[i] = true;
+        if (word_is(name, relation_names[i]) && !item->relations[i]) {
+            item->relations[i] = true;
             return true;
         }
     }
@@ -283,85 +248,118 @@ static bool add_relation(struct checked_work *work, struct word name) {
 }
 
 /* What a report calls them: "drawn again (shuffled, moved)". */
-static void name_relations(struct checked_work *work) {
+static void name_relations(struct checked_item *item) {
     const char *before = "drawn again (";
-    work->counter[0] = '\0';
+    item->counter[0] = '\0';
     for (size_t i = 0; i < RELATION_COUNT; i++) {
-        if (work->relations[i]) {
-            strcat(strcat(work->counter, before), relation_names[i]);
+        if (item->relations[i]) {
+            strcat(strcat(item->counter, before), relation_names[i]);
             before = ", ";
         }
     }
-    strcat(work->counter, ")");
+    strcat(item->counter, ")");
 }
 
 /* `shuffled,moved  0.1`. */
-static bool read_relations(struct checked_work *work, struct text *text, struct error *error) {
+static bool read_relations(struct checked_item *item, struct text *text, struct error *error) {
     struct word word = text_next_word(text);
     for (size_t start = 0; start <= word.length;) {
         size_t end = start;
         while (end < word.length && word.start[end] != ',') {
             end++;
         }
-        if (!add_relation(work, (struct word){word.start + start, end - start})) {
+        if (!add_relation(item, (struct word){word.start + start, end - start})) {
             return text_error(error, text->line, "'%s' are no relations", word_show(word).text);
         }
         start = end + 1;
     }
-    name_relations(work);
-    return read_limit(&work->limit, text, text_next_word(text), error) && read_end(text, error);
+    name_relations(item);
+    return read_limit(&item->limit, text, text_next_word(text), error) && read_end(text, error);
 }
 
 /* Nothing more; the task's name is the counter's. */
-static bool read_numbers(struct checked_work *work, struct text *text, struct error *error) {
-    strcpy(work->counter, work->credit.tasks[0].text);
+static bool read_numbers(struct checked_item *item, struct text *text, struct error *error) {
+    strcpy(item->counter, item->credit.tasks[0].text);
     return read_end(text, error);
 }
 
-/* The kinds of lines behind the scenes, by their first word. */
+/* The kinds of lines: those behind the pictures by their first word. */
 static const struct {
     const char *word, *what;
-    bool (*read)(struct checked_work *work, struct text *text, struct error *error);
-} work_kinds[] = {
-    [WORK_COUNTER] = {"work", "work", read_counter},
-    [WORK_RELATIONS] = {"same", "relations", read_relations},
-    [WORK_NUMBERS] = {"call", "numbers", read_numbers},
+    bool (*read)(struct checked_item *item, struct text *text, struct error *error);
+} kinds[ITEM_KIND_COUNT] = {
+    [ITEM_PICTURE] = {"", "scenes", read_limits},
+    [ITEM_COUNTER] = {"work", "work", read_counter},
+    [ITEM_RELATIONS] = {"same", "relations", read_relations},
+    [ITEM_NUMBERS] = {"call", "numbers", read_numbers},
 };
-enum { WORK_KIND_COUNT = sizeof work_kinds / sizeof work_kinds[0] };
 
-static int find_work_kind(struct word word) {
-    int kind = 0;
-    while (kind < WORK_KIND_COUNT && !word_is(word, work_kinds[kind].word)) {
+static enum item_kind find_kind(struct word word) {
+    int kind = ITEM_PICTURE + 1;
+    while (kind < ITEM_KIND_COUNT && !word_is(word, kinds[kind].word)) {
         kind++;
     }
-    return kind;
+    return kind < ITEM_KIND_COUNT ? (enum item_kind)kind : ITEM_PICTURE;
 }
 
-/* What follows the first word. */
-static bool read_work(struct scene_table *table, struct text *text, int kind, struct error *error) {
-    struct word word = text_next_word(text);
-    struct checked_step *step = table->step_count > 0 ? &table->steps[table->step_count - 1] : NULL;
-    if (step == NULL || !word_is(word, step->name)) {
-        return text_error(error, text->line, "%s of '%s' must follow its scenes",
-                          work_kinds[kind].what, word_show(word).text);
+static const struct checked_item *find_scene(const struct checked_step *step, const char *name) {
+    for (size_t i = 0; i < step->scene_count; i++) {
+        if (strcmp(step->items[i].scene, name) == 0) {
+            return &step->items[i];
+        }
     }
-    struct checked_work work = {.kind = (enum work_kind)kind};
-    word = text_next_word(text);
-    if (!name_copy(work.scene, word) ||
-        (kind == WORK_NUMBERS ? !word_is(word, "numbers") : !has_scene(step, work.scene))) {
-        return text_error(error, text->line, "%s has no scene '%s'", step->name,
+    return NULL;
+}
+
+/* A new scene's name, or one that the step has. */
+static bool read_scene(struct checked_item *item, const struct checked_step *step,
+                       struct text *text, struct error *error) {
+    struct word word = text_next_word(text);
+    if (!name_copy(item->scene, word)) {
+        return text_error(error, text->line, "'%s' is not the name of a scene",
                           word_show(word).text);
     }
-    if (!read_credit(&work.credit, text, error) || !work_kinds[kind].read(&work, text, error)) {
+    const bool is_known = item->kind == ITEM_NUMBERS ? word_is(word, "numbers")
+                                                     : find_scene(step, item->scene) != NULL;
+    if (item->kind == ITEM_PICTURE) {
+        return !is_known || text_error(error, text->line, "%s is here twice", item->scene);
+    }
+    return is_known ||
+           text_error(error, text->line, "%s has no scene '%s'", step->name, item->scene);
+}
+
+/* The step that a line names: other kinds follow its pictures. NULL with a message. */
+static struct checked_step *read_step(struct scene_table *table, enum item_kind kind,
+                                      struct text *text, struct word word, struct error *error) {
+    if (kind == ITEM_PICTURE) {
+        return find_or_add_step(table, text, word, error);
+    }
+    struct checked_step *last = table->step_count > 0 ? &table->steps[table->step_count - 1] : NULL;
+    if (last != NULL && word_is(word, last->name)) {
+        return last;
+    }
+    text_error(error, text->line, "%s of '%s' must follow its scenes", kinds[kind].what,
+               word_show(word).text);
+    return NULL;
+}
+
+/* What follows the word that names the kind. */
+static bool read_item(struct scene_table *table, enum item_kind kind, struct text *text,
+                      struct word step_name, struct error *error) {
+    struct checked_step *step = read_step(table, kind, text, step_name, error);
+    struct checked_item item = {.kind = kind};
+    if (step == NULL || !read_scene(&item, step, text, error) ||
+        !read_credit(&item.credit, text, error) || !kinds[kind].read(&item, text, error)) {
         return false;
     }
-    struct checked_work *works =
-        array_reserve(step->works, &step->work_capacity, step->work_count + 1, sizeof *works);
-    if (works == NULL) {
+    struct checked_item *items =
+        array_reserve(step->items, &step->item_capacity, step->item_count + 1, sizeof *items);
+    if (items == NULL) {
         return error_out_of_memory(error);
     }
-    step->works = works;
-    works[step->work_count++] = work;
+    step->items = items;
+    items[step->item_count++] = item;
+    step->scene_count += kind == ITEM_PICTURE;
     return true;
 }
 
@@ -375,11 +373,10 @@ bool scene_table_read(struct scene_table *table, const char *path, struct error 
     bool done = text_begin(&text, file.data, file.size, false, error);
     while (done && text_next_line(&text)) {
         struct word word = text_next_word(&text);
-        int kind = find_work_kind(word);
-        if (kind < WORK_KIND_COUNT) {
-            done = read_work(table, &text, kind, error);
-        } else {
-            done = word.length == 0 || read_scene(table, &text, word, error);
+        if (word.length > 0) {
+            enum item_kind kind = find_kind(word);
+            word = kind == ITEM_PICTURE ? word : text_next_word(&text);
+            done = read_item(table, kind, &text, word, error);
         }
     }
     if (done && table->step_count == 0) {
@@ -426,34 +423,27 @@ void scene_table_select_all(struct scene_table *table) {
     }
 }
 
-const struct checked_scene *scene_table_find(const struct scene_table *table, const char *step,
-                                             const char *scene) {
+const struct checked_item *scene_table_find(const struct scene_table *table, const char *step,
+                                            const char *scene) {
     for (size_t i = 0; i < table->step_count; i++) {
-        const struct checked_step *of = &table->steps[i];
-        for (size_t k = 0; k < of->scene_count && strcmp(of->name, step) == 0; k++) {
-            if (strcmp(of->scenes[k].name, scene) == 0) {
-                return &of->scenes[k];
-            }
+        if (strcmp(table->steps[i].name, step) == 0) {
+            return find_scene(&table->steps[i], scene);
         }
     }
     return NULL;
 }
 
 static bool keep_scene(struct checked_step *step, const char *scene) {
-    size_t kept = 0, kept_works = 0;
-    for (size_t i = 0; i < step->scene_count; i++) {
-        if (strcmp(step->scenes[i].name, scene) == 0) {
-            step->scenes[kept++] = step->scenes[i];
+    size_t kept = 0;
+    step->scene_count = 0;
+    for (size_t i = 0; i < step->item_count; i++) {
+        if (strcmp(step->items[i].scene, scene) == 0) {
+            step->scene_count += step->items[i].kind == ITEM_PICTURE;
+            step->items[kept++] = step->items[i];
         }
     }
-    for (size_t i = 0; i < step->work_count; i++) {
-        if (strcmp(step->works[i].scene, scene) == 0) {
-            step->works[kept_works++] = step->works[i];
-        }
-    }
-    step->scene_count = kept;
-    step->work_count = kept_works;
-    return kept + kept_works > 0;
+    step->item_count = kept;
+    return kept > 0;
 }
 
 bool scene_table_keep(struct scene_table *table, const char *scene, struct error *error) {
@@ -469,18 +459,17 @@ bool scene_table_keep(struct scene_table *table, const char *scene, struct error
 void scene_table_make_exact(struct scene_table *table) {
     for (size_t i = 0; i < table->step_count; i++) {
         for (size_t k = 0; k < table->steps[i].scene_count; k++) {
-            struct checked_scene *scene = &table->steps[i].scenes[k];
-            scene->exact = true;
-            scene->wrong_limit = scene->apart_limit = scene->coverage_limit = 0;
-            scene->near_limit = 0;
+            struct checked_item *item = &table->steps[i].items[k];
+            item->exact = true;
+            item->wrong_limit = item->apart_limit = item->coverage_limit = 0;
+            item->near_limit = 0;
         }
     }
 }
 
 void scene_table_free(struct scene_table *table) {
     for (size_t i = 0; i < table->step_count; i++) {
-        free(table->steps[i].scenes);
-        free(table->steps[i].works);
+        free(table->steps[i].items);
     }
     free(table->steps);
     *table = (struct scene_table){.steps = NULL};

@@ -44,38 +44,31 @@ bool credit_has(const struct credit *credit, const char *task);
 /* Does it show and need everything that the other one does? */
 bool credit_covers(const struct credit *credit, const struct credit *other);
 
-struct checked_scene {
-    char name[SCENE_NAME_LIMIT];
+enum item_kind { ITEM_PICTURE, ITEM_COUNTER, ITEM_RELATIONS, ITEM_NUMBERS, ITEM_KIND_COUNT };
+
+/* What is judged: a scene's picture; of a scene that passes a counter, or relations; of a task, the
+ * numbers that its functions give (numbers.h). */
+struct checked_item {
+    enum item_kind kind;
+    char scene[SCENE_NAME_LIMIT]; /* "numbers" of numbers */
+    /* "" of a picture, of relations "drawn again (moved, halved)", of numbers "1.3" */
+    char counter[SCENE_NAME_LIMIT];
     struct credit credit;
-    bool exact; /* every pixel must be equal; the limits are then 0 */
+    bool exact; /* a picture of which every pixel must be equal; the limits are then 0 */
     /* How many of the drawn pixels may be wrong, apart, drawn in one picture only, and near
      * (compare.h), in thousandths of a percent, inclusive. */
     unsigned wrong_limit, apart_limit, coverage_limit, near_limit;
-};
-
-enum work_kind { WORK_COUNTER, WORK_RELATIONS, WORK_NUMBERS };
-
-/* What else is judged: of a scene that passes a counter, or relations; of a task, the numbers that
- * its functions give (numbers.h). */
-struct checked_work {
-    enum work_kind kind;
-    char scene[SCENE_NAME_LIMIT]; /* one of the step's; "numbers" of numbers */
-    char counter
-        [SCENE_NAME_LIMIT]; /* of relations "drawn again (moved, halved)", of numbers "1.3" */
-    struct credit credit;
     uint64_t most, least; /* of a counter; inclusive */
     bool relations[RELATION_COUNT];
-    unsigned limit; /* of relations, as those of a scene */
+    unsigned limit; /* of relations, as those of a picture */
 };
 
 struct checked_step {
     char name[SCENE_NAME_LIMIT]; /* "step05_zbuffer" */
     bool selected;
-    struct checked_scene *scenes;
-    size_t scene_count; /* at least 1, but with only numbers kept */
-    size_t scene_capacity;
-    struct checked_work *works;
-    size_t work_count, work_capacity;
+    struct checked_item *items;
+    size_t item_count, item_capacity;
+    size_t scene_count; /* the first items: pictures. At least 1, but with only numbers kept */
 };
 
 /* All zero is a valid, empty table. */
@@ -100,8 +93,8 @@ void scene_table_select_all(struct scene_table *table);
 bool scene_table_keep(struct scene_table *table, const char *scene, struct error *error);
 
 /* The scene of that name, NULL where the table has none. */
-const struct checked_scene *scene_table_find(const struct scene_table *table, const char *step,
-                                             const char *scene);
+const struct checked_item *scene_table_find(const struct scene_table *table, const char *step,
+                                            const char *scene);
 
 /* Demand of every scene that every pixel is equal. */
 void scene_table_make_exact(struct scene_table *table);

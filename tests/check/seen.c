@@ -16,10 +16,6 @@ struct seen_map {
 
 static const struct seen_map same_place = {.x_by_x = 1, .y_by_y = 1, .channels = {0, 1, 2}};
 
-static bool agree(struct color a, struct color b) {
-    return color_distance(a, b) <= COMPARE_LEVELS;
-}
-
 static struct color mapped_color(const struct image *yours, const struct seen_map *map, int x,
                                  int y) {
     double at_x = map->from_x + map->x_by_x * x + map->x_by_y * y;
@@ -45,9 +41,9 @@ static struct seen_count count_apart(const struct image *reference, const struct
     for (int y = 0; y < (int)reference->height; y++) {
         for (int x = 0; x < (int)reference->width; x++) {
             struct color right = image_get(reference, x, y), is = mapped_color(yours, map, x, y);
-            bool found = agree(right, is);
+            bool found = colors_agree(right, is);
             for (int i = 0; i < 9 && !found && near > 0; i++) {
-                found = agree(right, mapped_color(yours, map, x + i % 3 - 1, y + i / 3 - 1));
+                found = colors_agree(right, mapped_color(yours, map, x + i % 3 - 1, y + i / 3 - 1));
             }
             count.drawn += !color_is_black(right) || !color_is_black(is);
             count.apart += !found;
@@ -183,7 +179,7 @@ static struct parts find_parts(const struct image *reference, const struct image
             parts.drawn += !color_is_black(right);
             parts.missing += !color_is_black(right) && color_is_black(is);
             parts.extra += !color_is_black(is) && color_is_black(right);
-            if (!color_is_black(is) && !color_is_black(right) && !agree(right, is)) {
+            if (!color_is_black(is) && !color_is_black(right) && !colors_agree(right, is)) {
                 add_color(&parts, right, is);
             }
         }

@@ -169,8 +169,6 @@ refuses "CHECK_BUILD_TIMEOUT is '0'" env CHECK_BUILD_TIMEOUT=0 "$build/check" 01
 refuses 'cannot run no_such_make' check --make no_such_make 01
 refuses '/dev/null: cannot make the directory' check --programs /dev/null/x 01
 refuses 'check: /proc' check --programs /proc 01
-refuses 'check: cannot build broken: sculpt: no clay' check --first broken 01
-refuses 'check: cannot build nowhere: make' check --first nowhere 01
 
 # An old program, or what the compiler leaves next to it, cannot be removed.
 for place in step12_absent step01_exact.o step09_status.d step05_blank.said; do
@@ -232,6 +230,7 @@ ROWsame step1_a b 1.1 1 moved,moved 1|:2: 'moved,moved' are no
 ROWsame step1_a b 1.1 1 moved|:2: '' is neither 'exact' nor a
 ROWsame step1_a b 1.1 1 moved 1 2|:2: unexpected '2'
 ROWstep1_a b 1.1 1 exact|:2: b is here twice
+ROWcall step1_a numbers 1.1 1\nstep1_a c 1.1 1 exact|:3: the scenes of step1_a must be together
 ROWstep2_a b 2.1 1 1 1 1\n\nstep1_a c 1.1 1 exact|:4: the scenes of step1_a must be together
 END
 

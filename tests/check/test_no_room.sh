@@ -14,7 +14,7 @@ fi
 # judges SIZE STATUS WORDS COMMAND: with so much memory for its files, a program that COMMAND makes.
 judges() {
     mkdir -p "$work/disk" && mount -t tmpfs -o "size=$1" none "$work/disk" || exit 1
-    said_by "$2" env TMPDIR="$work/disk" "$build/check" --root "$top" --programs "$work/programs" --first '' \
+    said_by "$2" env TMPDIR="$work/disk" "$build/check" --root "$top" --programs "$work/programs" \
         --differences "$work/differences" --scenes "$work/scenes.txt" --make "$4; true" 01
     grep -q "$3" "$said" || wrong "with $1, nothing says $3"
     umount "$work/disk"

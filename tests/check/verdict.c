@@ -1,6 +1,6 @@
 #include "verdict.h"
 
-struct verdict verdict_find(const struct comparison *shares, const struct checked_scene *scene) {
+struct verdict verdict_find(const struct comparison *shares, const struct checked_item *scene) {
     const struct verdict limits[] = {
         {false, COMPARE_UNMATCHED, &shares->wrong, scene->wrong_limit, "wrong"},
         {false, COMPARE_COVERAGE, &shares->coverage, scene->coverage_limit, "missing or too many"},

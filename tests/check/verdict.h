@@ -17,6 +17,6 @@ struct verdict {
 };
 
 /* Judge by the scene's limits. The first one that is broken counts. `shares` must outlive it. */
-struct verdict verdict_find(const struct comparison *shares, const struct checked_scene *scene);
+struct verdict verdict_find(const struct comparison *shares, const struct checked_item *scene);
 
 #endif

@@ -20,7 +20,7 @@ enum { STATUS_FAILED = 1, STATUS_USAGE = 2, BEFORE_SCENES = 3, SCENE_ARGUMENTS =
 static bool add_scene(struct bytes *page, const char *step, char **argument, struct error *error) {
     struct pictures pictures;
     struct scene_table table;
-    const struct checked_scene *rule = pictures_rule(&table, step, argument[0]);
+    const struct checked_item *rule = pictures_rule(&table, step, argument[0]);
     bool done = pictures_read(&pictures, argument[1], argument[2], rule, error);
     scene_table_free(&table);
     if (!done) {

@@ -267,7 +267,8 @@ static bool show_chosen(struct bytes *out, const struct pictures *pictures, cons
     for (size_t i = 0; i < count && done; i++) {
         const struct image *image = &pictures->image[chosen[i]];
         names[i] = picture_names[chosen[i]];
-        done = part ? picture_part(&panels[i], image, left, bottom, room.width, room.height, error)
+        done = part ? picture_part(&panels[i], image, (size_t)left, (size_t)bottom, 1, room.width,
+                                   room.height, error)
                     : fit(&panels[i], image, room, error);
     }
     for (size_t i = 0; i < count && done; i += beside) {
@@ -291,7 +292,7 @@ static bool show(struct bytes *out, const struct options *options, struct error 
     int chosen[PICTURE_COUNT];
     size_t count = 0;
     struct scene_table table;
-    const struct checked_scene *rule = pictures_rule(&table, options->step, options->scene);
+    const struct checked_item *rule = pictures_rule(&table, options->step, options->scene);
     bool done = pictures_read(&pictures, options->yours, options->reference, rule, error);
     scene_table_free(&table);
     if (!done) {

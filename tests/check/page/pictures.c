@@ -14,18 +14,18 @@ static bool read_if_there(struct image *image, const char *path, struct error *e
     return !file_exists(path) || image_read(image, path, error);
 }
 
-const struct checked_scene *pictures_rule(struct scene_table *table, const char *step,
-                                          const char *scene) {
+const struct checked_item *pictures_rule(struct scene_table *table, const char *step,
+                                         const char *scene) {
     struct error ignored;
     bool found = scene_table_read(table, "tests/check/scenes.txt", &ignored);
     return found ? scene_table_find(table, step, scene) : NULL;
 }
 
 /* Which pixels count as wrong, and which is first? Pictures of different sizes have no shares. */
-static enum compare_pixels find_wrong(struct pictures *pictures, const struct checked_scene *rule) {
+static enum compare_pixels find_wrong(struct pictures *pictures, const struct checked_item *rule) {
     const struct image *reference = &pictures->image[PICTURE_REFERENCE];
     const struct image *yours = &pictures->image[PICTURE_YOURS];
-    static const struct checked_scene no_rule = {.near_limit = 100 * 1000};
+    static const struct checked_item no_rule = {.near_limit = 100 * 1000};
     struct comparison shares = {.drawn = 0};
     pictures->same_size = reference->width == yours->width && reference->height == yours->height;
     if (pictures->same_size) {
@@ -40,7 +40,7 @@ static enum compare_pixels find_wrong(struct pictures *pictures, const struct ch
 }
 
 bool pictures_read(struct pictures *pictures, const char *yours, const char *reference,
-                   const struct checked_scene *rule, struct error *error) {
+                   const struct checked_item *rule, struct error *error) {
     struct image *image = pictures->image;
     *pictures = (struct pictures){.image = {{.pixels = NULL}}};
     bool done = read_if_there(&image[PICTURE_YOURS], yours, error) &&
@@ -99,16 +99,17 @@ bool picture_enlarge(struct image *enlarged, const struct image *image, size_t t
     return true;
 }
 
-bool picture_part(struct image *part, const struct image *image, int left, int bottom, size_t width,
-                  size_t height, struct error *error) {
-    size_t most_width = image->width - (size_t)left, most_height = image->height - (size_t)bottom;
+bool picture_part(struct image *part, const struct image *image, size_t left, size_t bottom,
+                  size_t step, size_t width, size_t height, struct error *error) {
+    size_t most_width = (image->width - left) / step, most_height = (image->height - bottom) / step;
     if (!image_create(part, width < most_width ? width : most_width,
                       height < most_height ? height : most_height, image->format, error)) {
         return false;
     }
-    for (int y = 0; y < (int)part->height; y++) {
-        for (int x = 0; x < (int)part->width; x++) {
-            image_set(part, x, y, image_get(image, left + x, bottom + y));
+    for (size_t y = 0; y < part->height; y++) {
+        for (size_t x = 0; x < part->width; x++) {
+            image_set(part, (int)x, (int)y,
+                      image_get(image, (int)(left + x * step), (int)(bottom + y * step)));
         }
     }
     return true;

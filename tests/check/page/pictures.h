@@ -26,14 +26,14 @@ struct pictures {
 
 /* How the check compares that scene; NULL where the table of scenes is not here or lacks it. The
  * caller frees the table. */
-const struct checked_scene *pictures_rule(struct scene_table *table, const char *step,
-                                          const char *scene);
+const struct checked_item *pictures_rule(struct scene_table *table, const char *step,
+                                         const char *scene);
 
 /* Read both files and compare them by the scene's rule; NULL: what has no match is wrong. A file
  * that does not exist is left out, and so is then the difference; one that cannot be read is an
  * error that names it. The caller frees the pictures. */
 bool pictures_read(struct pictures *pictures, const char *yours, const char *reference,
-                   const struct checked_scene *rule, struct error *error);
+                   const struct checked_item *rule, struct error *error);
 
 /* "exact"; "214 pixels differ, the first wrong one at (3,5)", or "and it passes"; "10x10 pixels,
  * not 200x4"; "there is no picture of yours", or no reference. */
@@ -49,9 +49,10 @@ void pictures_free(struct pictures *pictures);
 bool picture_enlarge(struct image *enlarged, const struct image *image, size_t times,
                      struct error *error);
 
-/* `part` becomes the pixels from (left,bottom) on, which lies in the image: at most so many. */
-bool picture_part(struct image *part, const struct image *image, int left, int bottom, size_t width,
-                  size_t height, struct error *error);
+/* `part` becomes every `step`th pixel from (left,bottom) on, which lies in the image: at most so
+ * many. */
+bool picture_part(struct image *part, const struct image *image, size_t left, size_t bottom,
+                  size_t step, size_t width, size_t height, struct error *error);
 
 /* `shrunk` becomes the image in that size, which is not larger: of the pixels that become one it
  * keeps the one that differs most from the reference, of the same size, and where none does, or it

@@ -101,7 +101,7 @@ limited() {
 }
 
 # shellcheck disable=SC2086
-limited "$work/result/log" "$build/check" --programs "$place_short" --first '' \
+limited "$work/result/log" "$build/check" --programs "$place_short" \
     --sources "$place/sources" --differences "$work/result/differences" \
     --make "$make" --note "$(contain_note)" --junit "$work/result/report.xml" \
     --json "$work/result/report.json" --tap "$work/result/report.tap" \

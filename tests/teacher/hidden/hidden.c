@@ -217,7 +217,7 @@ static bool is_secret(const struct image *solution, const char *step, const char
 enum { MORE_WRONG = 1000, MORE_APART = 2000, MORE_COVERAGE = 200 };
 
 static bool is_right(const struct image *solution, const struct image *yours,
-                     const struct checked_scene *limits) {
+                     const struct checked_item *limits) {
     if (yours->width != solution->width || yours->height != solution->height) {
         return false;
     }
@@ -233,7 +233,7 @@ static bool is_right(const struct image *solution, const struct image *yours,
 /* Compare the pictures PICTURE.tga of both; counts it, and says when it is wrong. What everybody
  * has is not counted. */
 static void judge(struct hidden *hidden, const struct pair *pair, const char *step,
-                  const char *picture, const struct checked_scene *scene, const char *says) {
+                  const char *picture, const struct checked_item *scene, const char *says) {
     struct image solution, yours;
     struct error ignored;
     if (drawn_read(&solution, pair->solution.pictures, picture, NULL, &ignored) != DRAWN_READ) {
@@ -257,8 +257,8 @@ static void judge(struct hidden *hidden, const struct pair *pair, const char *st
 }
 
 /* The scene of the table whose limits hold for a text scene. */
-static const struct checked_scene *limits_for(const struct hidden *hidden, const char *step,
-                                              enum input_kind kind) {
+static const struct checked_item *limits_for(const struct hidden *hidden, const char *step,
+                                             enum input_kind kind) {
     return scene_table_find(&hidden->table, step,
                             kind == INPUT_LINES       ? "line"
                             : kind == INPUT_TRIANGLES ? "triangle"
@@ -305,9 +305,9 @@ static bool find_uses(const struct hidden *hidden, const struct checked_step *st
     for (size_t i = 0; i < step->scene_count && done; i++) {
         struct image image;
         struct error ignored;
-        drawn_read(&image, place.pictures, step->scenes[i].name, NULL, &ignored);
-        if (image.width > 0 && !is_left_out(step->name, step->scenes[i].name)) {
-            uses[i] = is_secret(&image, step->name, step->scenes[i].name) ? USE_MODEL : USE_FIXED;
+        drawn_read(&image, place.pictures, step->items[i].scene, NULL, &ignored);
+        if (image.width > 0 && !is_left_out(step->name, step->items[i].scene)) {
+            uses[i] = is_secret(&image, step->name, step->items[i].scene) ? USE_MODEL : USE_FIXED;
         }
         image_free(&image);
     }
@@ -339,9 +339,9 @@ static bool try_case(struct hidden *hidden, const struct checked_step *step, siz
     }
     for (size_t i = 0; i < step->scene_count && done && !unseen_takes_text(step->name); i++) {
         if (uses[i] == (hidden_case->fixed ? USE_FIXED : USE_MODEL)) {
-            snprintf(says, sizeof says, "%s %s %s", step->scenes[i].name,
+            snprintf(says, sizeof says, "%s %s %s", step->items[i].scene,
                      hidden_case->fixed ? "in" : "of", hidden_case->says);
-            judge(hidden, &pair, step->name, step->scenes[i].name, &step->scenes[i], says);
+            judge(hidden, &pair, step->name, step->items[i].scene, &step->items[i], says);
         }
     }
     unseen_end(&pair.yours);

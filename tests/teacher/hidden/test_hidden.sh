@@ -178,7 +178,7 @@ until [ -e held.go ]; do sleep 0.1; done
 exec make "$@"
 EOF
 chmod +x held
-"$build/check" --first '' --make "./held $flags" 5 >"$work/check.said" 2>&1 &
+"$build/check" --make "./held $flags" 5 >"$work/check.said" 2>&1 &
 check=$!
 until [ -e held.began ] || ! kill -0 $check 2>/dev/null; do sleep 0.1; done
 : >"$work/said"
@@ -199,7 +199,7 @@ sh tests/teacher/hidden/solutions.sh build/hidden.held "make -s $flags" "$work" 
 build/hidden build build/hidden.held 2 "./held $flags" step05_zbuffer >"$work/hidden.said" 2>&1 &
 beside=$!
 until [ -e held.began ] || ! kill -0 $beside 2>/dev/null; do sleep 0.1; done
-"$build/check" --first '' --make "make $flags" 5 >"$work/said" 2>&1 &
+"$build/check" --make "make $flags" 5 >"$work/said" 2>&1 &
 check=$!
 until grep -qs 'waiting' "$work/said" || ! kill -0 $check 2>/dev/null; do sleep 0.1; done
 says 'check: waiting for another check in build'

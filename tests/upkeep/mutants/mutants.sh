@@ -76,7 +76,7 @@ run() (
         mkdir -p checked && mv program "checked/$lesson" && : >"checked/$lesson.said" &&
             cd "$root" &&
             timeout 120 "$build/check" --programs "$1/checked" --differences "$1/differences" \
-                --scenes "$work/scenes.txt" --make : --first '' "$lesson"
+                --scenes "$work/scenes.txt" --make : "$lesson"
         ;;
     */sculpt)
         mkdir -p sculpted && timeout 120 ./program sculpted || exit 1

@@ -43,7 +43,7 @@ export CHECK_BUILD_TIMEOUT="${CHECK_BUILD_TIMEOUT:-600}"
 
 # check [OPTION...]: sets status, and said to the verdict and what follows it, as one line.
 check() {
-    said=$("$build/check" --programs "$place" --sources "$place/sources" --first '' \
+    said=$("$build/check" --programs "$place" --sources "$place/sources" \
         --differences "$place/differences" --shares "$place/shares" \
         --make "sh tests/upkeep/verify/build.sh $commands" "$@" "$lesson" 2>"$place/errors")
     status=$?
