@@ -45,15 +45,11 @@ static void describe(const struct model *model, char *out, size_t room) {
 
 static bool is_read(struct model *model, const char *text, const char *expected) {
     char got[512];
-    bool done = decode_right(model, text);
-    if (done) {
-        describe(model, got, sizeof got);
-        done = CHECK_TEXT(got, expected);
+    if (!decode_right(model, text)) {
+        return false;
     }
-    if (!done) {
-        fprintf(stderr, "    in row: %s\n", text);
-    }
-    return done;
+    describe(model, got, sizeof got);
+    return CHECK_ROW(CHECK_TEXT(got, expected), text);
 }
 
 static void test_obj(void) {
@@ -435,9 +431,7 @@ static void test_messages(void) {
         struct model model;
         struct error error = {0};
         CHECK_ROW(!decode(&model, rows[i].text, &error), rows[i].text);
-        if (!CHECK_ERROR(error, rows[i].message)) {
-            fprintf(stderr, "    in row: %s\n", rows[i].text);
-        }
+        CHECK_ROW(CHECK_ERROR(error, rows[i].message), rows[i].text);
         CHECK(model.faces == NULL && model.positions == NULL && model.position_count == 0);
     }
 }

@@ -9,50 +9,11 @@
 
 #include "base/file.h"
 #include "files/deflate.h"
-#include "unit/images.h"
+#include "unit/chunks.h"
 
 #include <math.h>
 
-static void put_32(struct bytes *out, uint32_t value) {
-    for (unsigned shift = 32; shift > 0; shift -= 8) {
-        put(out, value >> (shift - 8) & 255);
-    }
-}
-
-static uint32_t slow_crc(const uint8_t *data, size_t size) {
-    uint32_t crc = 0xffffffffu;
-    for (size_t i = 0; i < 8 * size; i++) {
-        uint32_t bit = ((uint32_t)data[i / 8] >> i % 8 ^ crc) & 1;
-        crc = bit != 0 ? crc >> 1 ^ 0xedb88320u : crc >> 1;
-    }
-    return ~crc;
-}
-
 /* ---- PNG in ---- */
-
-static const uint8_t signature[8] = {137, 80, 78, 71, 13, 10, 26, 10};
-
-static void put_chunk(struct bytes *file, const char *type, const void *data, size_t size) {
-    put_32(file, (uint32_t)size);
-    size_t start = file->size;
-    CHECK(bytes_append(file, type, 4) && bytes_append(file, data, size));
-    put_32(file, slow_crc(file->data + start, size + 4));
-}
-
-static void put_header(struct bytes *file, uint32_t width, uint32_t height, unsigned depth,
-                       unsigned color_type, unsigned interlace) {
-    struct bytes header = {0};
-    CHECK(bytes_append(file, signature, sizeof signature));
-    put_32(&header, width);
-    put_32(&header, height);
-    put(&header, depth);
-    put(&header, color_type);
-    put(&header, 0);
-    put(&header, 0);
-    put(&header, interlace);
-    put_chunk(file, "IHDR", header.data, header.size);
-    bytes_free(&header);
-}
 
 /* Raw rows as one zlib stream, a stored block. */
 static struct bytes store(const uint8_t *raw, size_t size) {
@@ -496,10 +457,6 @@ static void test_choice_of_filters(void) {
 }
 
 /* ---- Animation ---- */
-
-static uint32_t get_32(const uint8_t *bytes) {
-    return (uint32_t)bytes[0] << 24 | (uint32_t)bytes[1] << 16 | (uint32_t)bytes[2] << 8 | bytes[3];
-}
 
 /* Paste a part over an image; x, y from the top left. */
 static void paste(struct image *image, const struct image *part, size_t x, size_t y) {
