@@ -1,6 +1,7 @@
 /* Random triangles in perspective: see soup.h. */
 #include "soup.h"
 
+#include "oracle/shown.h"
 #include "pipeline.h"
 
 #include <math.h>
@@ -35,16 +36,11 @@ static void choose_matrix(struct soup *soup, struct random *random) {
     }
 }
 
-static struct vec3 any_place(struct random *random, double reach) {
-    double x = random_real(random, -reach, reach), y = random_real(random, -reach, reach);
-    return (struct vec3){x, y, random_real(random, -reach, reach)};
-}
-
 static void choose_camera(struct soup *soup, struct random *random) {
     do {
-        soup->eye = any_place(random, 4);
-        soup->center = any_place(random, 4);
-        soup->up = any_place(random, 2);
+        soup->eye = random_vec3(random, 4);
+        soup->center = random_vec3(random, 4);
+        soup->up = random_vec3(random, 2);
     } while (vec3_length(vec3_sub(soup->eye, soup->center)) < 0.5 ||
              oracle_frame(soup->eye, soup->center, soup->up).sine < 0.1L);
     soup->zoom = random_real(random, 0.3, 1.5);
@@ -79,7 +75,7 @@ static struct vec3 choose_position(const struct soup *soup, struct random *rando
     if (soup->kind == SOUP_CAMERA) {
         static const double reaches[] = {2, 6, 6, 60, 300};
         double reach = reaches[random_bits(random) % 5];
-        return vec3_add(soup->center, any_place(random, reach));
+        return vec3_add(soup->center, random_vec3(random, reach));
     }
     struct vec2 ndc = ndc_place(soup, random);
     double w = (double)random_between(random, 8, 64) / 16;
@@ -227,8 +223,6 @@ static void choose_corners(struct soup *soup, struct random *random, size_t face
 
 static void make_face(struct soup *soup, struct random *random, size_t face) {
     for (size_t i = 0; i < 3; i++) {
-        soup->faces[face].corner[i] =
-            (struct corner){(uint32_t)(3 * face + i), MODEL_NONE, MODEL_NONE};
         soup->value[3 * face + i] = random_real(random, 0, 1);
     }
     do {
@@ -244,10 +238,7 @@ static long double guard_band_of(const struct rectangle *viewport) {
 void soup_make(struct soup *soup, uint64_t seed, enum soup_kind kind) {
     struct random random = {seed};
     *soup = (struct soup){.kind = kind};
-    soup->model = (struct model){.positions = soup->positions,
-                                 .position_count = SOUP_CORNERS,
-                                 .faces = soup->faces,
-                                 .face_count = SOUP_FACES};
+    soup->model = plain_model(soup->positions, SOUP_CORNERS, soup->faces, SOUP_FACES, NULL);
     choose_viewport(soup, &random);
     soup->guard_band = guard_band_of(&soup->viewport);
     if (kind == SOUP_CAMERA) {
