@@ -87,7 +87,10 @@ static void test_wrong_files(void) {
         snprintf(expected, sizeof expected, "%s: %s", place.path, rows[i].message);
         CHECK_TEXT(error.message, expected);
     }
-    place_remove(&place, "picture.tga");
+    struct image image = {.width = 7};
+    struct error error;
+    CHECK(unlink(place.path) == 0 && !image_read(&image, place.path, &error) && image.width == 0);
+    place_remove(&place, NULL);
 }
 
 /* ---- Formats ---- */
