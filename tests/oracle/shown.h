@@ -1,6 +1,6 @@
 /*
- * For tests of the pipeline: small models made in memory, a frame of one draw call, and pictures that show a varying to the last
- * bit, as the bits of its `real` in the four bytes of a pixel (or of two pixels, for doubles).
+ * For tests of the pipeline: small models made in memory, and pictures that show a varying to the
+ * last bit, as the bits of its `real` in the four bytes of a pixel (or of two pixels, for doubles).
  */
 #ifndef TESTS_SHOWN_H
 #define TESTS_SHOWN_H
@@ -62,14 +62,6 @@ static inline double shown_real(const struct image parts[REAL_PARTS], size_t pix
     }
     memcpy(&value, words, sizeof value);
     return (double)value;
-}
-
-static inline bool draw_frame(struct pipeline *pipeline, const struct draw_call *call,
-                              const struct shader *shader, const void *uniforms, size_t size,
-                              struct image *image, struct error *error) {
-    pipeline_clear(pipeline);
-    return pipeline_draw(pipeline, call, shader, uniforms, size, error) &&
-           pipeline_finish(pipeline, image, error);
 }
 
 #endif

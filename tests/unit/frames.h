@@ -1,5 +1,4 @@
-/* For tests of the pipeline: a pipeline with the image that it draws. (Small models, draw_frame()
- * and pictures of varyings: shown.h.) */
+/* For tests of the pipeline: a pipeline with the image that it draws. (Small models: shown.h.) */
 #ifndef TESTS_FRAMES_H
 #define TESTS_FRAMES_H
 

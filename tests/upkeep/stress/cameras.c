@@ -194,7 +194,8 @@ static bool camera_draws_finite_pixels(const void *tried) {
     }
     pipeline.keep_depth = true;
     bool done =
-        draw_frame(&pipeline, &call, &finite_shader, &uniforms, sizeof(void *), &image, &error);
+        pipeline_draw(&pipeline, &call, &finite_shader, &uniforms, sizeof(void *), &error) &&
+        pipeline_finish(&pipeline, &image, &error);
     bool all_finite = true;
     for (int i = 0; done && i < SIZE * SIZE; i++) {
         all_finite = all_finite && pixels[3 * i] != NOT_FINITE &&
