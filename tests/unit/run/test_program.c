@@ -476,6 +476,8 @@ static void test_live(void) {
     CHECK(draw_calls == 3);
     CHECK(run_with_input(&dot_program, "--live", "--only film --probe 1,0\n") == 0);
     CHECK(last_drawing.probed && last_drawing.probe.x == 1 && last_drawing.probe.y == 0);
+    CHECK(run_with_input(&dot_program, "--live", "--probe 16384,0\n") == 0);
+    CHECK(strstr(output, "\nerror --probe wants a pixel X,Y") != NULL);
     CHECK(run_with_input(&text_program, "--live", "text\nline 2 0 4 0 10 20 30\nend\n") == 0);
     CHECK(strstr(output, "\nframe 5 5 ") != NULL);
 }
