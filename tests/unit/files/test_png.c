@@ -86,12 +86,9 @@ static struct color meaning_of(const struct content *c, const unsigned *sample) 
     uint8_t level[CHANNELS];
     bool clear = c->clear_size > 0;
     if (c->type == 3) {
-        const uint8_t *color = c->palette[i];
-        return i >= c->colors ? (struct color){.a = 255}
-                              : (struct color){.r = color[0],
-                                               .g = color[1],
-                                               .b = color[2],
-                                               .a = i < c->clear_size ? c->clear[i] : 255};
+        const uint8_t *color = c->palette[i], alpha = i < c->clear_size ? c->clear[i] : 255;
+        const struct color known = {.r = color[0], .g = color[1], .b = color[2], .a = alpha};
+        return i < c->colors ? known : color_grey(0);
     }
     for (unsigned k = 0; k < c->channels; k++) {
         level[k] = (uint8_t)floor(sample[k] * 255.0 / most + 0.5);

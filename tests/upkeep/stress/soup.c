@@ -126,7 +126,7 @@ static long double distance_inside(const struct soup *soup, const struct place *
 /* Cuts off what of a polygon is outside a plane. False where that is not sure. */
 static bool cut(const struct soup *soup, int plane, struct place polygon[SOUP_POLYGON_LIMIT],
                 size_t *count) {
-    struct place kept[2 * SOUP_POLYGON_LIMIT];
+    struct place kept[2 * SOUP_POLYGON_LIMIT] = {{{0}}};
     size_t n = 0;
     for (size_t i = 0; i < *count; i++) {
         const struct place *a = &polygon[i], *b = &polygon[(i + 1) % *count];
