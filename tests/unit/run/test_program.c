@@ -486,7 +486,7 @@ static void test_live(void) {
 static void test_description(void) {
     static const struct scene two_scenes[] = {
         {.name = "dot", .width = 4, .height = 3, .draw = draw_dot},
-        {.name = "model", .needs = NEEDS_MODEL, .light = {0, 0, 1}, .eye = {0, 0, 3}, .up = {0, 1}},
+        {.name = "model", .needs = NEEDS_MODEL, .light = {0, 0, 1}, .eye = {0, 0, 3}},
     };
     const struct program program = with_scenes(&dot_program, two_scenes, 2);
     char *text = NULL;
@@ -498,7 +498,7 @@ static void test_description(void) {
         CHECK_TEXT(text,
                    "{\"program\":\"probe\",\"scenes\":[{\"name\":\"dot\",\"width\":4,\"height\":3,"
                    "\"frames\":1},{\"name\":\"model\",\"width\":0,\"height\":0,\"frames\":1,"
-                   "\"light\":[0,0,1],\"eye\":[0,0,3],\"center\":[0,0,0],\"up\":[0,1,0]}]}\n");
+                   "\"light\":[0,0,1],\"eye\":[0,0,3],\"center\":[0,0,0],\"up\":[0,0,0]}]}\n");
         free(text);
     }
 }
