@@ -350,10 +350,10 @@ static void test_chunks(void) {
         {"far larger", "H13D1E", "cannot hold", {8, 6, 0, 0, 0, 0, 65535, 65535}},
         /* 16 million pixels may be in any file; more, where there is a byte for 1032 of them. */
         {"4096 x 4096", "H13I2100E", "not a zlib stream", {1, 0, 0, 0, 0, 0, 4096, 4096}},
-        {"4097 x 4097",
+        {"4096 x 4098",
          "H13I2100E",
-         "4097x4097 pixels in no more than 2100 bytes",
-         {1, 0, 0, 0, 0, 0, 4097, 4097}},
+         "4096x4098 pixels in no more than 2100 bytes",
+         {1, 0, 0, 0, 0, 0, 4096, 4098}},
         {"too few bytes", "H13I16263E", "pixels in no more than", {1, 0, 0, 0, 0, 0, 4097, 4097}},
         {"enough bytes", "H13I16265E", "not a zlib stream", {1, 0, 0, 0, 0, 0, 4097, 4097}},
         {"a filter of 9", "H13D2E", "filter, 9", {8, 4, 0, 0, 0, 0x900}},
