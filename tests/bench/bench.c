@@ -1,42 +1,25 @@
 /*
  * Run time against error, for all lessons: `make bench`, or
  *
- *     benchmark [-o DIR] [STEP...]
+ *     benchmark [STEP...]
  *
  * measures the lessons whose names contain one of the STEPs (all without one), prints a table, and
- * writes DIR/bench/all.json and a chart for each lesson, DIR/bench/stepNN_name.svg. Each lesson
+ * writes build/bench/all.json and a chart for each lesson, build/bench/stepNN_name.svg. Each lesson
  * takes about 10 seconds; the environment variable BENCH_SECONDS gives another number.
  */
 #include "bench.h"
 
-#include "base/file.h"
 #include "chart.h"
-#include "files/model_file.h"
 #include "measure.h"
 #include "report.h"
 
-#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 enum { SECONDS_DEFAULT = 10 };
 
-/* ---- For the lessons ---- */
-
-bool bench_read_model(struct model *model, const char *name, struct error *error) {
-    char path[1024];
-    *model = (struct model){0};
-    if (snprintf(path, sizeof path, "%s/models/%s", COURSE_BUILD, name) >= (int)sizeof path) {
-        return error_set(error, "%s: the name is too long", name);
-    }
-    return model_read(model, path, error);
-}
-
-/* ---- The program ---- */
-
 struct options {
-    const char *directory;
     double seconds;
     char **steps;
     int step_count;
@@ -65,31 +48,30 @@ static bool is_wanted(const struct bench_lesson *lesson, const struct options *o
     return options->step_count == 0;
 }
 
-static bool save(const struct bytes *bytes, const char *directory, const char *name,
-                 const char *ending, struct error *error) {
+/* Open bench/NAME.ENDING, which output_close() closes. NULL, with a message, if that fails. */
+static FILE *output_open(const char *name, const char *ending, struct error *error) {
     char path[1024];
-    int length = snprintf(path, sizeof path, "%s/bench/%s.%s", directory, name, ending);
-    return (length < (int)sizeof path || error_set(error, "%s: the name is too long", directory)) &&
-           file_write(path, bytes->data, bytes->size, error);
+    FILE *file = NULL;
+    int length = snprintf(path, sizeof path, "%s/bench/%s.%s", COURSE_BUILD, name, ending);
+    if (length >= (int)sizeof path || (file = fopen(path, "w")) == NULL) {
+        error_set(error, "cannot open %s/bench/%s.%s for writing", COURSE_BUILD, name, ending);
+    }
+    return file;
+}
+
+static bool output_close(FILE *file, struct error *error) {
+    bool written = ferror(file) == 0;
+    written = fclose(file) == 0 && written;
+    return written || error_set(error, "cannot write a chart or all.json");
 }
 
 static bool save_chart(const struct bench_lesson *lesson, const struct bench_results *results,
-                       const char *directory, struct error *error) {
-    struct bytes svg = {0};
-    bool done = chart_draw(lesson, results, &svg, error) &&
-                save(&svg, directory, lesson->step, "svg", error);
-    bytes_free(&svg);
-    return done;
-}
-
-static bool save_json(const struct bytes *rows, const char *directory, struct error *error) {
-    struct bytes json = {0};
-    bool done = (bytes_append(&json, "[", 1) && bytes_append(&json, rows->data, rows->size) &&
-                 bytes_append(&json, "]\n", 2)) ||
-                error_out_of_memory(error);
-    done = done && save(&json, directory, "all", "json", error);
-    bytes_free(&json);
-    return done;
+                       struct error *error) {
+    FILE *svg = output_open(lesson->step, "svg", error);
+    if (svg != NULL) {
+        chart_draw(lesson, results, svg);
+    }
+    return svg != NULL && output_close(svg, error);
 }
 
 /* Beside a wrong picture each time would look right. */
@@ -112,47 +94,44 @@ static bool check_errors(const struct bench_lesson *lesson, const struct bench_r
     return true;
 }
 
+static bool measure_lesson(const struct bench_lesson *lesson, const struct options *options,
+                           FILE *json, struct error *error) {
+    struct bench_results results = {0};
+    if (!bench_measure(lesson, options->seconds, &results, error) ||
+        !check_errors(lesson, &results, error) || !save_chart(lesson, &results, error)) {
+        return false;
+    }
+    report_add_json(lesson, &results, json);
+    report_print(lesson, &results);
+    return true;
+}
+
 static bool measure_lessons(const struct options *options, struct error *error) {
-    struct bytes rows = {0};
-    bool done = true, any = false;
+    FILE *json = output_open("all", "json", error);
+    bool done = json != NULL, any = false;
+    if (!done) {
+        return false;
+    }
+    fputs("[", json);
     for (size_t i = 0; done && bench_lessons[i] != NULL; i++) {
-        const struct bench_lesson *lesson = bench_lessons[i];
-        struct bench_results results = {0};
-        if (!is_wanted(lesson, options)) {
-            continue;
-        }
-        any = true;
-        done = bench_measure(lesson, options->seconds, &results, error) &&
-               check_errors(lesson, &results, error) &&
-               save_chart(lesson, &results, options->directory, error) &&
-               report_add_json(lesson, &results, &rows, error);
-        if (done) {
-            report_print(lesson, &results);
+        if (is_wanted(bench_lessons[i], options)) {
+            any = true;
+            done = measure_lesson(bench_lessons[i], options, json, error);
         }
     }
-    if (!any) {
-        done =
-            error_set(error, "no tests/lessons/stepNN_name/bench.c measures a step of that name");
-    }
-    done = done && save_json(&rows, options->directory, error);
-    bytes_free(&rows);
-    return done;
+    fputs("]\n", json);
+    done = done && (any || error_set(error, "no tests/lessons/stepNN_name/bench.c measures a step "
+                                            "of that name"));
+    return output_close(json, error) && done;
 }
 
 int main(int argc, char **argv) {
-    struct options options = {.directory = COURSE_BUILD};
+    struct options options = {.steps = argv + 1, .step_count = argc - 1};
     struct error error;
-    int next = 1;
-    if (next + 1 < argc && strcmp(argv[next], "-o") == 0) {
-        options.directory = argv[next + 1];
-        next += 2;
-    }
-    if (next < argc && argv[next][0] == '-') {
-        fprintf(stderr, "usage: benchmark [-o DIR] [STEP...]\n");
+    if (argc > 1 && argv[1][0] == '-') {
+        fprintf(stderr, "usage: benchmark [STEP...]\n");
         return 2;
     }
-    options.steps = argv + next;
-    options.step_count = argc - next;
     if (!read_seconds(&options.seconds, &error)) {
         fprintf(stderr, "benchmark: %s\n", error.message);
         return 2;

@@ -22,6 +22,7 @@
 #define TESTS_BENCH_H
 
 #include "base/error.h"
+#include "files/model_file.h"
 #include "memory.h"
 #include "model.h"
 
@@ -29,17 +30,31 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+/* What the functions of a panel get: which way to do the work, and on what. */
+struct bench_choice {
+    int way, on;
+};
+
 /* One way to do the work of a panel. */
 struct bench_version {
     const char *name; /* at most 26 characters, so that labels find room in the chart */
-    int choice;       /* which version it is: added to the panel's `base` */
-    bool is_house;    /* the lesson's good version, the one in main.c: its name is set in bold */
+    int way;
+    bool is_house; /* the lesson's good version, the one in main.c: its name is set in bold */
+    /* The series that it belongs to, such as "float", or NULL: the dots of a series have one colour
+     * and are joined by a line, in the order of the table; then a short name such as "8" is enough.
+     * BENCH_SERIES_LIMIT series at most in a panel. */
+    const char *series;
+    int on; /* added to the panel's `on` */
 };
 
 #define VERSION(label, number)                                                                     \
-    { .name = (label), .choice = (number) }
+    { .name = (label), .way = (number) }
 #define HOUSE_VERSION(label, number)                                                               \
-    { .name = (label), .choice = (number), .is_house = true }
+    { .name = (label), .way = (number), .is_house = true }
+#define VERSION_OF(group, label, number, object)                                                   \
+    { .name = (label), .way = (number), .series = (group), .on = (object) }
+#define HOUSE_VERSION_OF(group, label, number, object)                                             \
+    { .name = (label), .way = (number), .series = (group), .on = (object), .is_house = true }
 
 struct bench_panel {
     const char *title;       /* the work: "24,640 lines from the middle of 41x41 pixels" */
@@ -48,35 +63,28 @@ struct bench_panel {
     const char *against;     /* what the error was measured against: "exact integers" */
     const struct bench_version *versions;
     size_t version_count; /* 2..BENCH_VERSION_LIMIT */
-    /* Added to the choice of each version before the functions below get it. So several panels can
-     * share versions and functions, with other data or another error. */
-    int base;
+    int on; /* what is worked on: so several panels can share versions and functions */
     /* Do the whole work of the panel once (best 0.1 to 30 ms), memory ready, without printing. It
      * is called many times over; each call must do the same, so what it uses up it first makes
      * again. */
-    void (*run)(int choice);
+    void (*run)(struct bench_choice choice);
     /* The error of a version in the panel's error unit: 0 only when it is exact, never infinite: a
      * version without an answer is a fault of the benchmark. Called once, right after the last
      * timed `run` of this version: judge what that left behind. (It may do more work.) */
-    double (*error)(int choice);
+    double (*error)(struct bench_choice choice);
     /* Units of work that one run does: seconds of a run / units * 1e9 is shown in nanoseconds.
      * NULL: milliseconds of one run are shown. */
     const size_t *units;
     double budget; /* share of the lesson's time, relative to its other panels; 0 counts as 1 */
-
-    /* ---- What follows may be left out ---- */
-
-    /* The series that a version belongs to, such as "float": its dots have one colour and are
-     * joined by a line, in the order of the table; then a short name such as "8" is enough for a
-     * version. The same pointer for all of a series, BENCH_SERIES_LIMIT series at most; NULL for a
-     * version without. */
-    const char *(*series)(int choice);
     /* The most that the error of a house version is if it is right, and what it is measured
      * against, too: beyond it the benchmark fails. BENCH_EXACT allows none; 0: nobody asks. */
     double house_within;
 };
 
 #define BENCH_EXACT DBL_TRUE_MIN
+
+/* The path of one of the course's models, such as "bust.obj". */
+#define BENCH_MODEL(name) COURSE_BUILD "/models/" name
 
 /* A compiler inlines a small function where few call it. Here many versions do, and none of them
  * shall have less of it than main.c has alone. */
@@ -111,8 +119,5 @@ struct bench_lesson {
 /* All of them in order, then NULL. The Makefile writes this list from the names of the files; that
  * of stepNN.c is called bench_stepNN. */
 extern const struct bench_lesson *const bench_lessons[];
-
-/* Read a model of build/models, such as "bust.obj". The caller frees it. */
-bool bench_read_model(struct model *model, const char *name, struct error *error);
 
 #endif

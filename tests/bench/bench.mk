@@ -28,13 +28,13 @@ $(BUILD)/tests/bench/list.o: $(BUILD)/tests/bench/list.c $(BUILD)/flags
 
 $(BUILD)/benchmark: $(filter-out %/figures.o,$(call OBJECTS_OF,bench oracle)) $(BUILD)/tests/bench/list.o \
                     $(patsubst %.c,$(BUILD)/%.o,$(wildcard tests/lessons/*/bench.c)) \
-                    $(BUILD)/tests/check/page/escape.o $(BUILD)/libcommon.a
+                    $(BUILD)/libcommon.a
 	$(Q)$(LINK) $(OPENMP) $^ -lm -o $@
 
 # With lesson 9 also what it is worth to skip, where most of a scene is hidden or off screen.
 bench: $(BUILD)/benchmark $(BUILD)/bench-frame models
 	@mkdir -p $(BUILD)/bench
-	$(Q)$(BUILD)/benchmark -o $(BUILD) $(STEP)
+	$(Q)$(BUILD)/benchmark $(STEP)
 	$(Q)$(if $(filter-out 9 09,$(STEP)),,$(BUILD)/bench-frame --skipping --frames 7)
 
 # The charts of the last `make bench` become those of the lessons.

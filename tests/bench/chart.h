@@ -1,5 +1,5 @@
 /*
- * Charts of run time against error, as SVG: error across, time up, the useful front marked.
+ * Charts of run time against error, as SVG: error across, time up, the useful versions filled.
  *
  * The same numbers give the same bytes. Colours follow the reader's light or dark scheme; labels
  * are placed so that they cover neither each other nor the marks.
@@ -9,8 +9,9 @@
 
 #include "measure.h"
 
-/* Append the chart of a lesson, its panels one above the other, to `svg`. */
-bool chart_draw(const struct bench_lesson *lesson, const struct bench_results *results,
-                struct bytes *svg, struct error *error);
+#include <stdio.h>
+
+/* Write the chart of a lesson, its panels one above the other, to `svg`. */
+void chart_draw(const struct bench_lesson *lesson, const struct bench_results *results, FILE *svg);
 
 #endif

@@ -14,15 +14,15 @@ enum { ROUNDS_LEAST = 5, ROUNDS_WANTED = 31, ROUNDS_MOST = 501, CALLS_MOST = 100
  * a few long ones. */
 static const double sample_seconds_most = 0.002;
 
-int bench_choice(const struct bench_panel *panel, size_t i) {
-    return panel->base + panel->versions[i].choice;
+static struct bench_choice choice_of(const struct bench_panel *panel, size_t i) {
+    return (struct bench_choice){panel->versions[i].way, panel->on + panel->versions[i].on};
 }
 
 /* Seconds of one call. */
 static double time_calls(const struct bench_panel *panel, size_t i, size_t calls) {
     struct stopwatch start = stopwatch_start();
     for (size_t k = 0; k < calls; k++) {
-        panel->run(bench_choice(panel, i));
+        panel->run(choice_of(panel, i));
     }
     return stopwatch_seconds(start) / (double)calls;
 }
@@ -96,7 +96,7 @@ static void measure_panel(const struct bench_panel *panel, double seconds,
     for (size_t i = 0; i < count; i++) {
         /* The last sample is judged before the next version overwrites it. */
         samples[i][rounds] = time_calls(panel, i, results[i].calls);
-        results[i].error = panel->error(bench_choice(panel, i));
+        results[i].error = panel->error(choice_of(panel, i));
         results[i].rounds = rounds + 1;
         summarize(&results[i], samples[i], scale);
     }

@@ -25,9 +25,6 @@ struct bench_results {
 bool bench_measure(const struct bench_lesson *lesson, double seconds, struct bench_results *results,
                    struct error *error);
 
-/* What the panel's functions get for its i-th version. */
-int bench_choice(const struct bench_panel *panel, size_t i);
-
 /* "16" for milliseconds or nanoseconds: three significant digits, no exponent; `text` has room for
  * 32 characters. */
 void bench_show_number(double value, char text[32]);

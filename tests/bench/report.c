@@ -2,19 +2,14 @@
 #include "report.h"
 
 #include <assert.h>
-#include <stdio.h>
 #include <string.h>
-
-const char *report_series(const struct bench_panel *panel, size_t i) {
-    return panel->series != NULL ? panel->series(bench_choice(panel, i)) : NULL;
-}
 
 /* ---- The table ---- */
 
 static void print_version(const struct bench_panel *panel, size_t i,
                           const struct bench_result *result) {
     char name[64];
-    const char *series = report_series(panel, i);
+    const char *series = panel->versions[i].series;
     const double numbers[] = {result->error, result->median, result->lower, result->upper};
     snprintf(name, sizeof name, "%s%s%s", series != NULL ? series : "", series != NULL ? ", " : "",
              panel->versions[i].name);
@@ -48,47 +43,33 @@ void report_print(const struct bench_lesson *lesson, const struct bench_results 
 /* ---- JSON ---- */
 
 /* "key": "value", with nothing in the value that JSON would want escaped. */
-static void show_string(const char *key, const char *value, char text[256]) {
+static void put_string(FILE *json, const char *key, const char *value) {
     assert(value == NULL || strpbrk(value, "\"\\\n") == NULL);
-    snprintf(text, 256, value != NULL ? "\"%s\": \"%s\"" : "\"%s\": null", key, value);
+    const char *quote = value != NULL ? "\"" : "";
+    fprintf(json, "\"%s\": %s%s%s, ", key, quote, value != NULL ? value : "null", quote);
 }
 
-static bool add_version(const char *step, const struct bench_panel *panel, size_t i,
-                        const struct bench_result *result, struct bytes *json) {
-    enum { KEYS = 7 };
-    static const char *const keys[KEYS] = {"step",       "panel",   "series",   "version",
-                                           "error_unit", "against", "time_unit"};
-    const char *values[KEYS] = {step,
-                                panel->title,
-                                report_series(panel, i),
-                                panel->versions[i].name,
-                                panel->error_label,
-                                panel->against,
-                                panel->time_label};
-    char text[KEYS * 256 + 256];
-    size_t length = 0;
-    for (int k = 0; k < KEYS; k++) {
-        char pair[256];
-        show_string(keys[k], values[k], pair);
-        const char *before = k > 0 ? ", " : json->size > 0 ? ",\n{" : "{";
-        length += (size_t)snprintf(text + length, sizeof text - length, "%s%s", before, pair);
-    }
-    length += (size_t)snprintf(text + length, sizeof text - length,
-                               ", \"error\": %.9g, \"median\": %.9g, \"lower\": %.9g, "
-                               "\"upper\": %.9g, \"useful\": %s}",
-                               result->error, result->median, result->lower, result->upper,
-                               result->front ? "true" : "false");
-    return bytes_append(json, text, length);
+static void put_version(FILE *json, const char *step, const struct bench_panel *panel, size_t i,
+                        const struct bench_result *result) {
+    fputs(ftell(json) > 1 ? ",\n{" : "{", json);
+    put_string(json, "step", step);
+    put_string(json, "panel", panel->title);
+    put_string(json, "series", panel->versions[i].series);
+    put_string(json, "version", panel->versions[i].name);
+    put_string(json, "error_unit", panel->error_label);
+    put_string(json, "against", panel->against);
+    put_string(json, "time_unit", panel->time_label);
+    fprintf(json,
+            "\"error\": %.9g, \"median\": %.9g, \"lower\": %.9g, \"upper\": %.9g, \"useful\": %s}",
+            result->error, result->median, result->lower, result->upper,
+            result->front ? "true" : "false");
 }
 
-bool report_add_json(const struct bench_lesson *lesson, const struct bench_results *results,
-                     struct bytes *json, struct error *error) {
+void report_add_json(const struct bench_lesson *lesson, const struct bench_results *results,
+                     FILE *json) {
     for (size_t p = 0; p < lesson->panel_count; p++) {
         for (size_t i = 0; i < lesson->panels[p].version_count; i++) {
-            if (!add_version(lesson->step, &lesson->panels[p], i, &results->of[p][i], json)) {
-                return error_out_of_memory(error);
-            }
+            put_version(json, lesson->step, &lesson->panels[p], i, &results->of[p][i]);
         }
     }
-    return true;
 }

@@ -40,6 +40,34 @@ static inline struct texture noise(uint32_t seed) {
     return texture;
 }
 
+/* Noise to draw the board with. */
+static struct texture diffuse, map, specular;
+
+static inline void make_textures(void) {
+    diffuse = noise(1);
+    map = noise(2);
+    specular = noise(3);
+}
+
+static inline void free_textures(void) {
+    texture_free(&diffuse);
+    texture_free(&map);
+    texture_free(&specular);
+}
+
+/* The board as it looks along z, with these textures. */
+static inline struct drawing board_drawing(void) {
+    lay_board((const int[3]){0, 0, 0});
+    return (struct drawing){.model = &board,
+                            .diffuse = &diffuse,
+                            .normal_map = &map,
+                            .specular = &specular,
+                            .eye = {0.5, 0.25, 2},
+                            .up = {0, 1, 0},
+                            .light = {1, 0.5, 0.75},
+                            .skip = true};
+}
+
 /* Turn the board, and the drawing as it was before. */
 static inline void turn_board(struct drawing *drawing, const int turns[3]) {
     lay_board(turns);
@@ -64,18 +92,10 @@ typedef struct image draw_board(struct drawing drawing, size_t way);
 /* Does it draw the same in both spaces, in each way and however the board is turned? */
 static inline void check_board(draw_board *draw, size_t ways) {
     static const int turns[][3] = {{0, 0, 0}, {1, 0, 0}, {0, 2, 0}, {1, 2, 3}};
-    struct texture diffuse = noise(1), map = noise(2), specular = noise(3);
+    make_textures();
     for (size_t i = 0; i < ways * 4; i++) {
-        struct drawing drawing = {.model = &board,
-                                  .diffuse = &diffuse,
-                                  .normal_map = &map,
-                                  .specular = &specular,
-                                  .eye = {0.5, 0.25, 2},
-                                  .up = {0, 1, 0},
-                                  .light = {1, 0.5, 0.75},
-                                  .skip = true};
+        struct drawing drawing = board_drawing();
         map.tangent_space = false;
-        lay_board((const int[3]){0, 0, 0});
         struct image expected = draw(drawing, i / 4);
         map.tangent_space = true;
         turn_board(&drawing, turns[i % 4]);
@@ -84,9 +104,7 @@ static inline void check_board(draw_board *draw, size_t ways) {
         image_free(&image);
         image_free(&expected);
     }
-    texture_free(&diffuse);
-    texture_free(&map);
-    texture_free(&specular);
+    free_textures();
 }
 
 #endif

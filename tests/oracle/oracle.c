@@ -94,6 +94,20 @@ bool oracle_covers(struct fixed2 a, struct fixed2 b, struct fixed2 c, int64_t x,
            shifted_side(c, a, center_x, center_y) == winding;
 }
 
+/* The pixels of a row or column around these coordinates. */
+static struct span pixels_around(int32_t a, int32_t b, int32_t c, int size) {
+    int32_t least = a < b ? a : b, most = a > b ? a : b;
+    int begin = (least < c ? least : c) / 256 - 1, end = (most > c ? most : c) / 256 + 2;
+    return (struct span){begin > 0 ? begin : 0, end < size ? end : size};
+}
+
+struct rectangle oracle_box(const struct fixed2 corner[3], int width, int height) {
+    struct span columns = pixels_around(corner[0].x, corner[1].x, corner[2].x, width);
+    struct span rows = pixels_around(corner[0].y, corner[1].y, corner[2].y, height);
+    return (struct rectangle){columns.begin, rows.begin, columns.end - columns.begin,
+                              rows.end - rows.begin};
+}
+
 int oracle_turn(struct fixed2 a, struct fixed2 b, struct fixed2 c) {
     return sign_of(orientation(a, b, c.x, c.y));
 }

@@ -43,6 +43,9 @@ bool oracle_line_has(struct pixel a, struct pixel b, struct pixel p);
  * "Simulation of Simplicity", 1990). */
 bool oracle_covers(struct fixed2 a, struct fixed2 b, struct fixed2 c, int64_t x, int64_t y);
 
+/* All pixels of an image that the triangle can cover, and few others. */
+struct rectangle oracle_box(const struct fixed2 corner[3], int width, int height);
+
 /* Which way the corners turn on the screen: 1 counterclockwise, -1 clockwise, 0 on one line. */
 int oracle_turn(struct fixed2 a, struct fixed2 b, struct fixed2 c);
 

@@ -30,29 +30,20 @@ struct weights {
     long double corner[3];
 };
 
-/* The area of a, b and the centre of the pixel, in 1/256 pixel squared; twice of it. */
-static int64_t area_at(struct fixed2 a, struct fixed2 b, int x, int y) {
-    int64_t to_x = (int64_t)x * SUBPIXELS + SUBPIXELS / 2,
-            to_y = (int64_t)y * SUBPIXELS + SUBPIXELS / 2;
-    return ((int64_t)b.x - a.x) * (to_y - a.y) - ((int64_t)b.y - a.y) * (to_x - a.x);
+static struct weights weights_at(const struct fixed2 screen[3], const double recip_w[3], int x,
+                                 int y) {
+    struct weights weights;
+    for (int i = 0; i < 3; i++) {
+        const double one[3] = {i == 0, i == 1, i == 2};
+        weights.corner[i] = oracle_interpolate(screen, recip_w, one, x, y);
+    }
+    return weights;
 }
 
-/* And 1/w there, which is linear on the screen. */
-static struct weights weights_at(const struct fixed2 screen[3], const double recip_w[3], int x,
-                                 int y, long double *depth) {
-    struct weights weights;
-    long double sum = 0, area = 0;
-    for (int i = 0; i < 3; i++) {
-        long double part = (long double)area_at(screen[(i + 1) % 3], screen[(i + 2) % 3], x, y);
-        weights.corner[i] = part * recip_w[i];
-        sum += weights.corner[i];
-        area += part;
-    }
-    for (int i = 0; i < 3; i++) {
-        weights.corner[i] /= sum;
-    }
-    *depth = sum / area;
-    return weights;
+/* 1/w there, which is linear on the screen. */
+static double depth_at(const struct fixed2 screen[3], const double recip_w[3], int x, int y) {
+    static const double flat[3] = {1, 1, 1};
+    return (double)oracle_interpolate(screen, flat, recip_w, x, y);
 }
 
 static void find_corners(const struct exact *exact, size_t face, struct fixed2 screen[3],
@@ -85,9 +76,7 @@ static void cover_face(struct exact *exact, size_t face) {
             if (!oracle_covers(p[0], p[1], p[2], x, y)) {
                 continue;
             }
-            long double exact_depth;
-            (void)weights_at(p, recip_w, x, y, &exact_depth);
-            double depth = (double)exact_depth;
+            double depth = depth_at(p, recip_w, x, y);
             if (depth > exact->depths[pixel]) {
                 exact->visible += exact->faces[pixel] == 0;
                 exact->depths[pixel] = depth;
@@ -189,8 +178,7 @@ static struct real3 exact_color(const struct exact *exact, size_t face, int x, i
     struct fixed2 screen[3];
     double recip_w[3];
     find_corners(exact, face, screen, recip_w);
-    long double depth;
-    struct weights weights = weights_at(screen, recip_w, x, y, &depth);
+    struct weights weights = weights_at(screen, recip_w, x, y);
     switch (exact->scene->look) {
     case FRAME_FLAT: {
         long double level = 255 * light_on(exact->scene, exact->scene->head->face_normals[face]);

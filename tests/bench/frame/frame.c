@@ -39,14 +39,13 @@
 
 /* What is measured, and only the first of both where it must be quick: sizes of the image, and
  * about how many triangles. */
-enum { STEPS = 3, SUBDIVISIONS_LIMIT = 6 };
+enum { STEPS = 3 };
 static const size_t widths[STEPS] = {800, 1920, 3840}, heights[STEPS] = {800, 1080, 2160};
 static const size_t triangles[STEPS] = {2500, 40000, 640000};
 
 struct bench {
     struct options options;
-    struct frame_model given;        /* as read, with the textures */
-    struct frame_model finer[STEPS]; /* cut, empty where it need not be */
+    struct frame_model heads[STEPS]; /* one for each number of triangles */
     struct ours ours;
     struct llvmpipe *mesa; /* NULL where it cannot draw */
     double seconds[SIDES][FRAMES_LIMIT];
@@ -142,16 +141,11 @@ static size_t step_count(const struct bench *b) {
     return b->options.quick ? 1 : STEPS;
 }
 
-/* The model of the i-th number of triangles. */
-static const struct frame_model *head_of(const struct bench *b, size_t i) {
-    return b->finer[i].model.face_count > 0 ? &b->finer[i] : &b->given;
-}
-
 static bool measure_look(struct bench *b, enum frame_look look, struct error *error) {
     const size_t steps = step_count(b);
     for (size_t k = 0; k < steps * steps; k++) {
-        struct frame_scene scene = frame_scene(look, widths[k / steps], heights[k / steps],
-                                               head_of(b, k % steps), &b->given.model);
+        struct frame_scene scene =
+            frame_scene(look, widths[k / steps], heights[k / steps], &b->heads[k % steps]);
         struct cell *cell = &b->table.cells[b->table.count];
         if (!measure_cell(b, &scene, cell, error)) {
             return false;
@@ -169,7 +163,7 @@ static bool measure_all(struct bench *b, struct error *error) {
         if (o->look != FRAME_LOOKS && o->look != look) {
             continue;
         }
-        if (!frame_look_is_possible(look, &b->given.model)) {
+        if (!frame_look_is_possible(look, &b->heads[0].model)) {
             printf("%-7s left out: the model lacks a texture\n", frame_look_name[look]);
         } else if (!measure_look(b, look, error)) {
             return false;
@@ -182,27 +176,12 @@ static bool measure_all(struct bench *b, struct error *error) {
 
 /* ---- Setting up ---- */
 
-/* How often each face is cut into four, to come nearest to that many. */
-static int subdivisions_for(size_t faces, size_t wanted) {
-    int times = 0;
-    for (double count = (double)faces; times < SUBDIVISIONS_LIMIT && (double)wanted > 2 * count;
-         count *= 4) {
-        times++;
-    }
-    return times;
-}
-
 static bool read_heads(struct bench *b, struct error *error) {
-    if (!frame_model_read(&b->given, b->options.model, error)) {
-        return false;
+    bool done = true;
+    for (size_t i = 0; done && i < step_count(b); i++) {
+        done = frame_model_read(&b->heads[i], b->options.model, triangles[i], error);
     }
-    for (size_t i = 0; i < step_count(b); i++) {
-        int times = subdivisions_for(b->given.model.face_count, triangles[i]);
-        if (times > 0) {
-            frame_model_subdivide(&b->finer[i], &b->given, times);
-        }
-    }
-    return true;
+    return done;
 }
 
 static void start_mesa(struct bench *b) {
@@ -240,9 +219,8 @@ static void tear_down(struct bench *b) {
         llvmpipe->close(b->mesa);
     }
     for (size_t i = 0; i < STEPS; i++) {
-        frame_model_free(&b->finer[i]);
+        frame_model_free(&b->heads[i]);
     }
-    frame_model_free(&b->given);
     free(b);
 }
 

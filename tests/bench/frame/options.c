@@ -6,10 +6,6 @@
 #include <stdio.h>
 #include <string.h>
 
-#ifndef COURSE_BUILD
-#define COURSE_BUILD "build"
-#endif
-
 static bool read_frames(const char *value, void *target) {
     return argument_number(value, target) && *(size_t *)target <= FRAMES_LIMIT;
 }

@@ -13,40 +13,27 @@ const char *const frame_look_name[FRAME_LOOKS] = {"flat", "gouraud", "phong"};
 
 /* ---- Models ---- */
 
-/* llvmpipe's vertex shaders do not do it. */
-static void to_unit(float normal[3]) {
-    struct vec3 unit = vec3_normalized((struct vec3){normal[0], normal[1], normal[2]});
-    normal[0] = (float)unit.x;
-    normal[1] = (float)unit.y;
-    normal[2] = (float)unit.z;
+static void set_unit(float unit[3], struct vec3 v) {
+    v = vec3_normalized(v);
+    unit[0] = (float)v.x;
+    unit[1] = (float)v.y;
+    unit[2] = (float)v.z;
 }
 
-/* What is made ready once. */
-static void make_ready(struct frame_model *head) {
-    const struct model *model = &head->model;
+/* llvmpipe's vertex shaders do not do it. */
+static void make_normals_unit(const struct model *model) {
     for (size_t i = 0; i < model->normal_count; i++) {
-        to_unit(model->normals[i]);
+        float *n = model->normals[i];
+        set_unit(n, (struct vec3){n[0], n[1], n[2]});
     }
+}
+
+static void find_face_normals(struct frame_model *head) {
+    const struct model *model = &head->model;
     head->face_normals = bench_memory(model->face_count, sizeof *head->face_normals);
     for (size_t i = 0; i < model->face_count; i++) {
-        struct vec3 normal = vec3_normalized(model_face_normal(model, i));
-        head->face_normals[i][0] = (float)normal.x;
-        head->face_normals[i][1] = (float)normal.y;
-        head->face_normals[i][2] = (float)normal.z;
+        set_unit(head->face_normals[i], model_face_normal(model, i));
     }
-}
-
-bool frame_model_read(struct frame_model *head, const char *path, struct error *error) {
-    *head = (struct frame_model){0};
-    if (!model_read(&head->model, path, error) || !model_need_normals(&head->model, error)) {
-        return false;
-    }
-    for (int kind = 0; kind < MODEL_TEXTURE_KINDS; kind++) {
-        struct error missing;
-        (void)model_texture(&head->model, (enum model_texture_kind)kind, &missing);
-    }
-    make_ready(head);
-    return true;
 }
 
 void frame_model_free(struct frame_model *head) {
@@ -138,34 +125,49 @@ static void add_all_middles(struct model *fine, const struct model *coarse,
     add_middles((float *)fine->normals, &middles[2], 3);
 }
 
-/* `fine`, empty, becomes `coarse` with four times the faces, without textures. */
-static void subdivide(struct model *fine, const struct model *coarse) {
-    const size_t counts[ATTRIBUTES] = {coarse->position_count, coarse->uv_count,
-                                       coarse->normal_count};
+/* Each face becomes four. */
+static void subdivide(struct model *model) {
+    const struct model coarse = *model;
+    const size_t counts[ATTRIBUTES] = {coarse.position_count, coarse.uv_count, coarse.normal_count};
     struct middles middles[ATTRIBUTES];
     for (int i = 0; i < ATTRIBUTES; i++) {
-        middles[i] = (struct middles){pairs_create(3 * coarse->face_count), counts[i]};
+        middles[i] = (struct middles){pairs_create(3 * coarse.face_count), counts[i]};
     }
-    fine->face_count = 4 * coarse->face_count;
-    fine->faces = bench_memory(fine->face_count + 1, sizeof *fine->faces);
-    for (size_t i = 0; i < coarse->face_count; i++) {
-        cut_face(middles, &coarse->faces[i], &fine->faces[4 * i]);
+    model->face_count = 4 * coarse.face_count;
+    model->faces = bench_memory(model->face_count + 1, sizeof *model->faces);
+    for (size_t i = 0; i < coarse.face_count; i++) {
+        cut_face(middles, &coarse.faces[i], &model->faces[4 * i]);
     }
-    add_all_middles(fine, coarse, middles);
+    add_all_middles(model, &coarse, middles);
     for (int i = 0; i < ATTRIBUTES; i++) {
         pairs_free(&middles[i].edges);
     }
+    free(coarse.faces);
+    free(coarse.positions);
+    free(coarse.uvs);
+    free(coarse.normals);
 }
 
-void frame_model_subdivide(struct frame_model *fine, const struct frame_model *coarse, int times) {
-    *fine = (struct frame_model){0};
-    for (int i = 0; i < times; i++) {
-        struct model finer = {0};
-        subdivide(&finer, i == 0 ? &coarse->model : &fine->model);
-        model_free(&fine->model);
-        fine->model = finer;
+/* ---- Reading ---- */
+
+bool frame_model_read(struct frame_model *head, const char *path, size_t triangles,
+                      struct error *error) {
+    struct model *model = &head->model;
+    *head = (struct frame_model){0};
+    if (!model_read(model, path, error) || !model_need_normals(model, error)) {
+        return false;
     }
-    make_ready(fine);
+    for (int kind = 0; kind < MODEL_TEXTURE_KINDS; kind++) {
+        struct error missing;
+        (void)model_texture(model, (enum model_texture_kind)kind, &missing);
+    }
+    make_normals_unit(model);
+    while (model->face_count > 0 && triangles > 2 * model->face_count) {
+        subdivide(model);
+    }
+    make_normals_unit(model);
+    find_face_normals(head);
+    return true;
 }
 
 /* ---- Scenes ---- */
@@ -190,7 +192,7 @@ static struct frame_texture texture_of(const struct model *model, enum model_tex
 }
 
 struct frame_scene frame_scene(enum frame_look look, size_t width, size_t height,
-                               const struct frame_model *head, const struct model *textured) {
+                               const struct frame_model *head) {
     struct rectangle viewport = square_in_the_middle(width, height);
     struct frame_scene scene = {
         .look = look,
@@ -203,7 +205,7 @@ struct frame_scene frame_scene(enum frame_look look, size_t width, size_t height
     };
     for (int kind = 0; kind < MODEL_TEXTURE_KINDS; kind++) {
         scene.textures[kind] =
-            texture_of(textured, (enum model_texture_kind)kind, zoom * viewport.width);
+            texture_of(&head->model, (enum model_texture_kind)kind, zoom * viewport.width);
     }
     return scene;
 }

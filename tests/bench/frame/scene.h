@@ -48,17 +48,16 @@ struct frame_scene {
     struct vec3 to_light; /* of length 1 */
 };
 
-/* Read a model with the textures that it has; `head` is freed with frame_model_free(). */
-bool frame_model_read(struct frame_model *head, const char *path, struct error *error);
-
-/* Cut each face into four, 1 or more times: real shared vertices, and every attribute half-way
- * between those of an edge's ends. */
-void frame_model_subdivide(struct frame_model *fine, const struct frame_model *coarse, int times);
+/* Read a model with the textures that it has, and cut each face into four until there are about
+ * `triangles`: real shared vertices, and every attribute half-way between those of an edge's ends.
+ * `head` is freed with frame_model_free(). */
+bool frame_model_read(struct frame_model *head, const char *path, size_t triangles,
+                      struct error *error);
 void frame_model_free(struct frame_model *head);
 
-/* The head as lesson 10 shows it, in an image of that size, with the textures of `textured`. */
+/* The head as lesson 10 shows it, in an image of that size. */
 struct frame_scene frame_scene(enum frame_look look, size_t width, size_t height,
-                               const struct frame_model *head, const struct model *textured);
+                               const struct frame_model *head);
 
 /* Does the model have the textures that the look reads? */
 bool frame_look_is_possible(enum frame_look look, const struct model *textured);

@@ -14,11 +14,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#ifndef COURSE_BUILD
-#define COURSE_BUILD "build"
-#endif
-
-enum { SIDE = 800, OBJECT_LIMIT = 400 };
+enum { SIDE = 800 };
 
 static const struct rectangle everywhere = {0, 0, SIDE, SIDE};
 
@@ -45,59 +41,44 @@ SHADER(lit, .varying_count = 3, .vertex = lit_vertex, .fragment = lit_fragment);
 
 /* ---- Scenes ---- */
 
+struct models {
+    struct model head, ball;
+};
+
 struct object {
     const struct model *model;
     struct vec3 place;
     double size;
 };
 
+static struct object head_and_ball(const struct models *models, int i) {
+    return i == 0 ? (struct object){&models->head, {0, 0, 0}, 1}
+                  : (struct object){&models->ball, {0, 0, 1.5}, 1.2};
+}
+
+static struct object nested_balls(const struct models *models, int i) {
+    return (struct object){&models->ball, {0, 0, 0}, (i + 1) / 64.0};
+}
+
+/* In rows of 20. */
+static struct object crowd(const struct models *models, int i) {
+    return (struct object){&models->head, {i % 20 - 9.5, 0, i / 20 - 14.0}, 0.6};
+}
+
 struct scene {
     const char *name;
-    struct mat4 camera;
-    struct object objects[OBJECT_LIMIT];
-    size_t count;
+    struct vec3 eye;
+    int count;
+    struct object (*object)(const struct models *models, int i);
 };
 
-static void begin_scene(struct scene *scene, const char *name, struct vec3 eye) {
-    static const struct vec3 center = {0, 0, 0}, up = {0, 1, 0};
-    *scene = (struct scene){.name = name};
-    scene->camera = camera_call(NULL, eye, center, up, 1, everywhere, CULL_NONE).to_clip;
-}
-
-static void add_object(struct scene *scene, const struct model *model, struct vec3 place,
-                       double size) {
-    scene->objects[scene->count++] = (struct object){model, place, size};
-}
-
-static const struct vec3 origin = {0, 0, 0};
-
-static void make_head(struct scene *scene, const struct model *head) {
-    begin_scene(scene, "a head", (struct vec3){1, 1, 3});
-    add_object(scene, head, origin, 1);
-}
-
-/* The wall is a large ball. */
-static void make_behind(struct scene *scene, const struct model *head, const struct model *ball) {
-    begin_scene(scene, "a head behind a ball", (struct vec3){0, 0, 4});
-    add_object(scene, head, origin, 1);
-    add_object(scene, ball, (struct vec3){0, 0, 1.5}, 1.2);
-}
-
-static void make_nested(struct scene *scene, const struct model *ball) {
-    begin_scene(scene, "64 balls, one in the other", (struct vec3){1, 1, 3});
-    for (int i = 1; i <= 64; i++) {
-        add_object(scene, ball, origin, i / 64.0);
-    }
-}
-
-/* Seen from above the first row; as many are outside the view and behind the eye. */
-static void make_crowd(struct scene *scene, const struct model *head) {
-    begin_scene(scene, "a crowd of 400 heads", (struct vec3){0, 0.5, 3});
-    for (int i = 0; i < 400; i++) {
-        struct vec3 place = {i % 20 - 9.5, 0, i / 20 - 14.0};
-        add_object(scene, head, place, 0.6);
-    }
-}
+/* The crowd is seen from above its first row; as many are outside the view and behind the eye. */
+static const struct scene scenes[] = {
+    {"a head", {1, 1, 3}, 1, head_and_ball},
+    {"a head behind a ball", {0, 0, 4}, 2, head_and_ball},
+    {"64 balls, one in the other", {1, 1, 3}, 64, nested_balls},
+    {"a crowd of 400 heads", {0, 0.5, 3}, 400, crowd},
+};
 
 /* ---- Drawing ---- */
 
@@ -117,44 +98,47 @@ static const struct way ways[] = {
 
 enum { WAYS = sizeof ways / sizeof ways[0] };
 
-static bool draw(struct pipeline *pipeline, const struct scene *scene, const struct way *way,
-                 struct image *image, struct error *error) {
-    pipeline->skip = way->skip;
-    pipeline_clear(pipeline);
-    memset(image->pixels, 0, SIDE * SIDE * (size_t)image->format);
-    for (size_t i = 0; i < scene->count; i++) {
-        const struct object *o = &scene->objects[i];
-        struct mat4 to_world = mat4_mul(mat4_translation(o->place),
-                                        mat4_scaling((struct vec3){o->size, o->size, o->size}));
-        struct draw_call call = {o->model, mat4_mul(scene->camera, to_world), everywhere,
-                                 way->cull};
-        if (!pipeline_draw(pipeline, &call, &lit, &o->model, sizeof(void *), error)) {
+struct skipping {
+    struct pipeline pipeline;
+    struct image image;
+    struct models models;
+    double seconds[WAYS][FRAMES_LIMIT];
+};
+
+static bool draw(struct skipping *s, const struct scene *scene, const struct way *way,
+                 struct error *error) {
+    static const struct vec3 center = {0, 0, 0}, up = {0, 1, 0};
+    struct draw_call call = camera_call(NULL, scene->eye, center, up, 1, everywhere, way->cull);
+    const struct mat4 camera = call.to_clip;
+    s->pipeline.skip = way->skip;
+    pipeline_clear(&s->pipeline);
+    memset(s->image.pixels, 0, SIDE * SIDE * (size_t)s->image.format);
+    for (int i = 0; i < scene->count; i++) {
+        const struct object o = scene->object(&s->models, i);
+        struct mat4 to_world = mat4_mul(mat4_translation(o.place),
+                                        mat4_scaling((struct vec3){o.size, o.size, o.size}));
+        call.model = o.model;
+        call.to_clip = mat4_mul(camera, to_world);
+        if (!pipeline_draw(&s->pipeline, &call, &lit, &o.model, sizeof(void *), error)) {
             return false;
         }
     }
-    return pipeline_finish(pipeline, image, error);
+    return pipeline_finish(&s->pipeline, &s->image, error);
 }
 
 /* ---- Measuring ---- */
 
-struct skipping {
-    struct pipeline pipeline;
-    struct image image;
-    struct model head, ball;
-    struct scene scene;
-    double seconds[WAYS][FRAMES_LIMIT];
-};
-
 /* The ways take turns. */
-static bool measure_scene(struct skipping *s, size_t frames, struct error *error) {
+static bool measure_scene(struct skipping *s, const struct scene *scene, size_t frames,
+                          struct error *error) {
     for (size_t i = 0; i < frames * WAYS; i++) {
         struct stopwatch start = stopwatch_start();
-        if (!draw(&s->pipeline, &s->scene, &ways[i % WAYS], &s->image, error)) {
+        if (!draw(s, scene, &ways[i % WAYS], error)) {
             return false;
         }
         s->seconds[i % WAYS][i / WAYS] = stopwatch_seconds(start);
     }
-    printf("%-28s", s->scene.name);
+    printf("%-28s", scene->name);
     for (size_t way = 0; way < WAYS; way++) {
         sort_doubles(s->seconds[way], frames);
         printf(" %15.2f", 1e3 * quantile(s->seconds[way], frames, 0.5));
@@ -168,35 +152,33 @@ static bool read_model(struct model *model, const char *path, struct error *erro
 }
 
 static bool set_up(struct skipping *s, const char *path, struct error *error) {
-    return read_model(&s->head, path, error) &&
-           read_model(&s->ball, COURSE_BUILD "/models/sphere.obj", error) &&
+    return read_model(&s->models.head, path, error) &&
+           read_model(&s->models.ball, COURSE_BUILD "/models/sphere.obj", error) &&
            image_create(&s->image, SIDE, SIDE, IMAGE_BGRA, error) &&
            pipeline_create(&s->pipeline, SIDE, SIDE, error);
 }
 
-static bool measure_scenes(struct skipping *s, size_t frames, struct error *error) {
-    pipeline_use_threads(&s->pipeline, 1);
+static void print_head(void) {
     printf("\nWhat shortcuts are worth, alone and together: ms a frame of %dx%d, one thread\n%-28s",
            SIDE, SIDE, "");
     for (size_t i = 0; i < WAYS; i++) {
         printf(" %15s", ways[i].name);
     }
     printf("\n");
-    make_head(&s->scene, &s->head);
-    bool done = measure_scene(s, frames, error);
-    make_behind(&s->scene, &s->head, &s->ball);
-    done = done && measure_scene(s, frames, error);
-    make_nested(&s->scene, &s->ball);
-    done = done && measure_scene(s, frames, error);
-    make_crowd(&s->scene, &s->head);
-    return done && measure_scene(s, frames, error);
 }
 
 bool skipping_measure(const char *model, size_t frames, struct error *error) {
     struct skipping *s = bench_memory(1, sizeof *s);
-    bool done = set_up(s, model, error) && measure_scenes(s, frames, error);
-    model_free(&s->head);
-    model_free(&s->ball);
+    bool done = set_up(s, model, error);
+    if (done) {
+        pipeline_use_threads(&s->pipeline, 1);
+        print_head();
+    }
+    for (size_t i = 0; done && i < sizeof scenes / sizeof scenes[0]; i++) {
+        done = measure_scene(s, &scenes[i], frames, error);
+    }
+    model_free(&s->models.head);
+    model_free(&s->models.ball);
     image_free(&s->image);
     pipeline_free(&s->pipeline);
     free(s);

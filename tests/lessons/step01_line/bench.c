@@ -16,7 +16,7 @@
 enum {
     SIDE = 256,                     /* pixels of an image */
     LINE_COUNT = 96,                /* half of them from the end of the one before to its start */
-    HOUSE_LINE = LINE_ATTEMPT_COUNT /* choices below it are attempts */
+    HOUSE_LINE = LINE_ATTEMPT_COUNT /* ways below it are attempts */
 };
 
 static struct {
@@ -25,19 +25,19 @@ static struct {
     size_t pixel_count;              /* of these lines, as they should be */
 } lines;
 
-static uint8_t version_level(int choice) {
-    return (uint8_t)(choice + 1);
+static uint8_t version_level(struct bench_choice choice) {
+    return (uint8_t)(choice.way + 1);
 }
 
-static void lines_run(int choice) {
-    line_function *draw = choice == HOUSE_LINE ? line : line_attempt(choice);
+static void lines_run(struct bench_choice choice) {
+    line_function *draw = choice.way == HOUSE_LINE ? line : line_attempt(choice.way);
     for (int i = 0; i < LINE_COUNT; i++) {
         draw(&lines.images[i], lines.ends[i][0], lines.ends[i][1],
              color_grey(version_level(choice)));
     }
 }
 
-static double lines_error(int choice) {
+static double lines_error(struct bench_choice choice) {
     size_t wrong = 0;
     for (int i = 0; i < LINE_COUNT; i++) {
         const uint8_t *pixels = lines.images[i].pixels;

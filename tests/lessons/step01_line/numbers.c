@@ -23,27 +23,25 @@ static struct shown called_drawn(struct pixel a, struct pixel b) {
     return show_pixels(&image);
 }
 
+#define DRAWN(a, b, right)                                                                         \
+    TEXT("1.2", "line(image, " #a ", " #b ", white)", called_drawn(a, b), right)
+#define LISTED(a, b, count, right)                                                                 \
+    TEXT("1.4", "line_list(" #a ", " #b ", list)", called_listed(a, b, count), right)
+
 static void numbers(void) {
-    TEXT("1.2", "line(image, (0, 0), (5, 2), white)", called_drawn(at(0, 0), at(5, 2)),
-         "(0,0) (1,0) (2,1) (3,1) (4,2) (5,2)");
-    TEXT("1.2", "line(image, (5, 2), (0, 0), white)", called_drawn(at(5, 2), at(0, 0)),
-         "(0,0) (1,0) (2,1) (3,1) (4,2) (5,2)");
-    TEXT("1.2", "line(image, (0, 2), (5, 0), white)", called_drawn(at(0, 2), at(5, 0)),
-         "(4,0) (5,0) (2,1) (3,1) (0,2) (1,2)");
-    TEXT("1.2", "line(image, (7, 9), (6, 6), white)", called_drawn(at(7, 9), at(6, 6)),
-         "(6,6) (6,7) (7,8) (7,9)");
-    TEXT("1.2", "line(image, (5, 5), (5, 5), white)", called_drawn(at(5, 5), at(5, 5)), "(5,5)");
+    DRAWN(at(0, 0), at(5, 2), "(0,0) (1,0) (2,1) (3,1) (4,2) (5,2)");
+    DRAWN(at(5, 2), at(0, 0), "(0,0) (1,0) (2,1) (3,1) (4,2) (5,2)");
+    DRAWN(at(0, 2), at(5, 0), "(4,0) (5,0) (2,1) (3,1) (0,2) (1,2)");
+    DRAWN(at(7, 9), at(6, 6), "(6,6) (6,7) (7,8) (7,9)");
+    DRAWN(at(5, 5), at(5, 5), "(5,5)");
     WHOLE("1.3", line_length(at(0, 0), at(5, 2)), 6);
     WHOLE("1.3", line_length(at(3, 4), at(-7, 9)), 11);
     WHOLE("1.3", line_length(at(5, 5), at(5, 5)), 1);
     WHOLE("1.3", line_length(at(9, 2), at(9, -20)), 23);
-    TEXT("1.4", "line_list((0, 0), (5, 2), list)", called_listed(at(0, 0), at(5, 2), 6),
-         "(0,0) (1,0) (2,1) (3,1) (4,2) (5,2)");
-    TEXT("1.4", "line_list((5, 2), (0, 0), list)", called_listed(at(5, 2), at(0, 0), 6),
-         "(0,0) (1,0) (2,1) (3,1) (4,2) (5,2)");
-    TEXT("1.4", "line_list((7, 9), (6, 6), list)", called_listed(at(7, 9), at(6, 6), 4),
-         "(6,6) (6,7) (7,8) (7,9)");
-    TEXT("1.4", "line_list((5, 5), (5, 5), list)", called_listed(at(5, 5), at(5, 5), 1), "(5,5)");
+    LISTED(at(0, 0), at(5, 2), 6, "(0,0) (1,0) (2,1) (3,1) (4,2) (5,2)");
+    LISTED(at(5, 2), at(0, 0), 6, "(0,0) (1,0) (2,1) (3,1) (4,2) (5,2)");
+    LISTED(at(7, 9), at(6, 6), 4, "(6,6) (6,7) (7,8) (7,9)");
+    LISTED(at(5, 5), at(5, 5), 1, "(5,5)");
     COLOR("1.5", color_along(at(10, 0), at(14, 0), rgb(0, 255, 0), rgb(0, 0, 255), at(11, 0)),
           rgb(0, 191, 64));
     COLOR("1.5", color_along(at(14, 0), at(10, 0), rgb(0, 0, 255), rgb(0, 255, 0), at(11, 0)),

@@ -91,11 +91,11 @@ static void frame_draw_house(void) {
 }
 
 /* A frame begins with an empty image. */
-static void frame_run(int choice) {
+static void frame_run(struct bench_choice choice) {
     const struct model *model = &frame.model;
     const struct wireframe *list = &frame.wireframe;
     image_clear(&frame.timed, color_grey(0));
-    switch (choice) {
+    switch (choice.way) {
     case EVERY_TESTED:
         attempt_1_every_side_tested(&frame.timed, model);
         break;
@@ -117,7 +117,7 @@ static void frame_run(int choice) {
 }
 
 /* Wrong and missing pixels per 1000. */
-static double frame_error(int choice) {
+static double frame_error(struct bench_choice choice) {
     size_t wrong = 0;
     (void)choice;
     for (size_t i = 0; i < (size_t)SIDE * SIDE; i++) {
@@ -131,7 +131,7 @@ static double frame_error(int choice) {
 /* Read the bust, enlarged, with the middle of the face in the middle of the image. A square hole is
  * cut into it, so that it has a border. */
 static bool frame_read_model(struct model *model, struct error *error) {
-    if (!bench_read_model(model, "bust.obj", error)) {
+    if (!model_read(model, BENCH_MODEL("bust.obj"), error)) {
         return false;
     }
     size_t kept = 0;

@@ -78,6 +78,14 @@ static uint64_t called_walked(struct pixel a, struct pixel b) {
     return count;
 }
 
+#define PLACED(p, width, height, right)                                                            \
+    TEXT("2a.2", "to_pixel(" #p ", " #width ", " #height ", &pixel)",                              \
+         called_placed(p, width, height), right)
+#define DRAWN(a, b, right)                                                                         \
+    TEXT("2a.3", "line(image, " #a ", " #b ", white)", called_drawn(a, b), right)
+#define WALKED(a, b, right)                                                                        \
+    AS_WHOLE("2b.2", "line(image, " #a ", " #b ", white)", called_walked(a, b), right)
+
 static void numbers(void) {
     const struct side square_sides[] = {{0, 1}, {1, 2}, {0, 2}, {0, 2}, {2, 3}, {0, 3}};
     const struct side same_sides[] = {{4, 6}, {4, 6}, {4, 6}};
@@ -85,26 +93,17 @@ static void numbers(void) {
          "0-1 0-2 0-2 0-3 1-2 2-3");
     TEXT("2a.1", "list_sides(face 7 5 9, sides)", called_listed(&called_single_face, 1),
          "5-7 5-9 7-9");
-    TEXT("2a.2", "to_pixel((-0.5, -0.5, 0), 100, 100, &pixel)",
-         called_placed(xyz(-0.5, -0.5, 0), 100, 100), "(25,25)");
-    TEXT("2a.2", "to_pixel((0.5, -0.25, 0.7), 100, 64, &pixel)",
-         called_placed(xyz(0.5, -0.25, 0.7), 100, 64), "(75,24)");
-    TEXT("2a.2", "to_pixel((-1.01, -1.03, 0), 100, 100, &pixel)",
-         called_placed(xyz(-1.01, -1.03, 0), 100, 100), "(-1,-2)");
-    TEXT("2a.2", "to_pixel((0, -1e30, 0), 100, 100, &pixel)",
-         called_placed(xyz(0, -1e30, 0), 100, 100), "false");
-    TEXT("2a.3", "line(image, (0, 0), (5, 2), white)", called_drawn(at(0, 0), at(5, 2)),
-         "(0,0) (1,0) (2,1) (3,1) (4,2) (5,2)");
-    TEXT("2a.3", "line(image, (7, 9), (6, 6), white)", called_drawn(at(7, 9), at(6, 6)),
-         "(6,6) (6,7) (7,8) (7,9)");
+    PLACED(xyz(-0.5, -0.5, 0), 100, 100, "(25,25)");
+    PLACED(xyz(0.5, -0.25, 0.7), 100, 64, "(75,24)");
+    PLACED(xyz(-1.01, -1.03, 0), 100, 100, "(-1,-2)");
+    PLACED(xyz(0, -1e30, 0), 100, 100, "false");
+    DRAWN(at(0, 0), at(5, 2), "(0,0) (1,0) (2,1) (3,1) (4,2) (5,2)");
+    DRAWN(at(7, 9), at(6, 6), "(6,6) (6,7) (7,8) (7,9)");
     TEXT("2a.4", "keep_one_of_each(sides of the square, 6)",
          called_kept(square_sides, 6, (struct side){2, 3}), "0-1 0-2 0-3 1-2 2-3");
     TEXT("2a.4", "keep_one_of_each(4-6 4-6 4-6, 3)",
          called_kept(same_sides, 3, (struct side){4, 6}), "4-6");
-    AS_WHOLE("2b.2", "line(image, (-17, -9), (89, 31), white)",
-             called_walked(at(-17, -9), at(89, 31)), 54);
-    AS_WHOLE("2b.2", "line(image, (89, 31), (-17, -9), white)",
-             called_walked(at(89, 31), at(-17, -9)), 54);
-    AS_WHOLE("2b.2", "line(image, (-9, -5), (-1, 30), white)",
-             called_walked(at(-9, -5), at(-1, 30)), 0);
+    WALKED(at(-17, -9), at(89, 31), 54);
+    WALKED(at(89, 31), at(-17, -9), 54);
+    WALKED(at(-9, -5), at(-1, 30), 0);
 }

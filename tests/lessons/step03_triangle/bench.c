@@ -104,21 +104,13 @@ static struct {
     struct image image; /* IMAGE_BGR, as the scenes are */
 } bench;
 
-/* Pixels that a coordinate may be in, and one more on either side. */
-static struct span pixels_around(double a, double b, double c) {
-    double begin = floor(fmin(a, fmin(b, c))) - 1, end = floor(fmax(a, fmax(b, c))) + 2;
-    return (struct span){(int)fmin(fmax(begin, 0), SIDE), (int)fmin(fmax(end, 0), SIDE)};
-}
-
 /* The triangles in their order, each over those before it. */
 static void mesh_find_shown(struct mesh *mesh) {
     for (size_t i = 0; i < mesh->count; i++) {
-        const struct vec2 *p = mesh->triangles[i].corner;
         const struct fixed2 *c = mesh->triangles[i].snapped;
-        struct span columns = pixels_around(p[0].x, p[1].x, p[2].x);
-        struct span rows = pixels_around(p[0].y, p[1].y, p[2].y);
-        for (int y = rows.begin; y < rows.end; y++) {
-            for (int x = columns.begin; x < columns.end; x++) {
+        struct rectangle box = oracle_box(c, SIDE, SIDE);
+        for (int y = box.y; y < box.y + box.height; y++) {
+            for (int x = box.x; x < box.x + box.width; x++) {
                 if (oracle_covers(c[0], c[1], c[2], x, y)) {
                     mesh->shown[y * SIDE + x] = (uint32_t)i + 1;
                 }
@@ -141,7 +133,7 @@ static void mesh_add(struct mesh *mesh, const struct fixed2 corner[3]) {
 /* The faces of the bust that are turned to us. */
 static bool make_bust(struct mesh *mesh, const struct image *image, struct error *error) {
     struct model model;
-    if (!bench_read_model(&model, "bust.obj", error)) {
+    if (!model_read(&model, BENCH_MODEL("bust.obj"), error)) {
         return false;
     }
     mesh->triangles = bench_memory(model.face_count, sizeof *mesh->triangles);
@@ -257,9 +249,9 @@ static void fill_carried(struct image *image, const struct fixed2 corner[3], str
 
 /* ---- The attempts ---- */
 
-enum { HOUSE = 0, CARRIED = 9 }; /* choices 1 to 8 are the attempts */
+enum { HOUSE = 0, CARRIED = 9 }; /* ways 1 to 8 are the attempts */
 
-static void fill(const struct filled *t, int choice, struct image *image, struct color color) {
+static void fill(const struct filled *t, int way, struct image *image, struct color color) {
     static void (*const attempts[])(struct image *, const struct vec2[3], struct color) = {
         NULL,
         attempt_1_sweep_whole,
@@ -271,12 +263,12 @@ static void fill(const struct filled *t, int choice, struct image *image, struct
         attempt_7_edges_float,
         attempt_8_blocks,
     };
-    if (choice == HOUSE) {
+    if (way == HOUSE) {
         triangle(image, t->snapped, color);
-    } else if (choice == CARRIED) {
+    } else if (way == CARRIED) {
         fill_carried(image, t->snapped, color);
     } else {
-        attempts[choice](image, t->corner, color);
+        attempts[way](image, t->corner, color);
     }
 }
 
@@ -287,22 +279,23 @@ static struct color triangle_color(size_t i, int tag) {
     return (struct color){.b = (uint8_t)(i & 255), .g = (uint8_t)(i >> 8), .r = (uint8_t)tag};
 }
 
-/* Choices: so many for each mesh. */
-enum { ATTEMPTS = 16 };
+static int tag_of(struct bench_choice choice) {
+    return 1 + choice.way + 16 * choice.on;
+}
 
-static void run(int choice) {
-    const struct mesh *mesh = &bench.meshes[choice / ATTEMPTS];
+static void run(struct bench_choice choice) {
+    const struct mesh *mesh = &bench.meshes[choice.on];
     for (size_t i = 0; i < mesh->count; i++) {
-        fill(&mesh->triangles[i], choice % ATTEMPTS, &bench.image, triangle_color(i, choice + 1));
+        fill(&mesh->triangles[i], choice.way, &bench.image, triangle_color(i, tag_of(choice)));
     }
 }
 
-static double error_of(int choice) {
-    const struct mesh *mesh = &bench.meshes[choice / ATTEMPTS];
+static double error_of(struct bench_choice choice) {
+    const struct mesh *mesh = &bench.meshes[choice.on];
     size_t wrong = 0;
     for (size_t i = 0; i < (size_t)SIDE * SIDE; i++) {
         const uint8_t *pixel = bench.image.pixels + 3 * i;
-        uint32_t shown = pixel[2] == choice + 1 ? (uint32_t)(pixel[0] + 256 * pixel[1]) + 1 : 0;
+        uint32_t shown = pixel[2] == tag_of(choice) ? (uint32_t)(pixel[0] + 256 * pixel[1]) + 1 : 0;
         wrong += shown != mesh->shown[i];
     }
     return 1e3 * (double)wrong / (double)mesh->pixel_count;
@@ -336,7 +329,7 @@ static const struct bench_panel fill_panels[] = {
         .time_label = "ns per pixel",
         .against = "128-bit integers",
         .house_within = BENCH_EXACT,
-        .base = SMALL * ATTEMPTS,
+        .on = SMALL,
         .run = run,
         .error = error_of,
         .units = &bench.meshes[SMALL].pixel_count,
@@ -348,7 +341,7 @@ static const struct bench_panel fill_panels[] = {
         .time_label = "ns per pixel",
         .against = "128-bit integers",
         .house_within = BENCH_EXACT,
-        .base = LARGE * ATTEMPTS,
+        .on = LARGE,
         .run = run,
         .error = error_of,
         .units = &bench.meshes[LARGE].pixel_count,

@@ -134,6 +134,33 @@ static struct shown called_gradient(struct fixed2 a, struct fixed2 b, struct fix
     return show("%llu pixels, (2,2) is %s", count, show_color(color).text);
 }
 
+#define BOX(a, b, c, right)                                                                        \
+    TEXT("3a.3", "box_triangle(image, " #a " " #b " " #c ", white)",                               \
+         called_box_drawn(xy a, xy b, xy c), right)
+#define TURNED_AWAY(a, b, c, right)                                                                \
+    TEXT("3a.4", "is_turned_away(" #a " " #b " " #c ")", called_turned_away(xy a, xy b, xy c),     \
+         right)
+#define EDGE(p, q, sign, right)                                                                    \
+    TEXT("3b.1", "make_edge(" #p ", " #q ", " #sign ")",                                           \
+         called_edge_made(called_on p, called_on q, sign), right)
+#define SET_UP(a, b, c, sign, right)                                                               \
+    TEXT("3b.2", "triangle_setup(&edges, " #a ", " #b ", " #c ", 40, 8)",                          \
+         called_set_up(called_on a, called_on b, called_on c, sign), right)
+#define SPAN(edges, name, y, right)                                                                \
+    TEXT("3b.3", "triangle_span(edges of " name ", " #y ")", called_found(&(edges), y), right)
+#define FILLED(a, b, c, right)                                                                     \
+    TEXT("3b.4", "triangle(image, " #a " " #b " " #c ", white)",                                   \
+         called_filled(called_on a, called_on b, called_on c), right)
+#define COUNTED(a, b, c, right)                                                                    \
+    AS_WHOLE("3b.4", "triangle(image, " #a " " #b " " #c ", white)",                               \
+             called_counted(called_on a, called_on b, called_on c), right)
+#define WEIGHTS(edges, name, x, y, right)                                                          \
+    AS_VECTOR("3c.1", "triangle_weights(" name ", " #x ", " #y ")", vec3,                          \
+              triangle_weights(&(edges), x, y), right)
+#define GRADIENT(a, b, c, right)                                                                   \
+    TEXT("3c.3", "gradient_triangle(image, " #a " " #b " " #c ", red green blue)",                 \
+         called_gradient(called_on a, called_on b, called_on c), right)
+
 static void numbers(void) {
     TEXT("3a.1", "draw_line(image, (0, 0), (5, 2), white)", called_line_drawn(at(0, 0), at(5, 2)),
          "6: (0,0) (1,0) (2,1) (3,1) (4,2) (5,2)");
@@ -143,73 +170,37 @@ static void numbers(void) {
     REAL("3a.2", side_of(xy(5, 1), xy(1, 4), xy(2, 2)), 5);
     REAL("3a.2", side_of(xy(5, 1), xy(1, 4), xy(3, 3)), -2);
     REAL("3a.2", side_of(xy(1, 4), xy(1, 1), xy(1, 2)), 0);
-    TEXT("3a.3", "box_triangle(image, (1, 1) (5, 1) (1, 4), white)",
-         called_box_drawn(xy(1, 1), xy(5, 1), xy(1, 4)), "6: (1,1) (2,1) (3,1) (1,2) (2,2) (1,3)");
-    TEXT("3a.3", "box_triangle(image, (1, 1) (1, 4) (5, 1), white)",
-         called_box_drawn(xy(1, 1), xy(1, 4), xy(5, 1)), "6: (1,1) (2,1) (3,1) (1,2) (2,2) (1,3)");
-    TEXT("3a.3", "box_triangle(image, (0.5, 2.5) (4.5, 2.5) (6.5, 2.5), white)",
-         called_box_drawn(xy(0.5, 2.5), xy(4.5, 2.5), xy(6.5, 2.5)), "0: none");
+    BOX((1, 1), (5, 1), (1, 4), "6: (1,1) (2,1) (3,1) (1,2) (2,2) (1,3)");
+    BOX((1, 1), (1, 4), (5, 1), "6: (1,1) (2,1) (3,1) (1,2) (2,2) (1,3)");
+    BOX((0.5, 2.5), (4.5, 2.5), (6.5, 2.5), "0: none");
     AS_WHOLE("3a.3", "box_triangle(image, (-9, -9) (30, -9) (-9, 30), white)", called_boxed(), 64);
-    TEXT("3a.4", "is_turned_away((1, 1) (5, 1) (1, 4))",
-         called_turned_away(xy(1, 1), xy(5, 1), xy(1, 4)), "false");
-    TEXT("3a.4", "is_turned_away((1, 1) (1, 4) (5, 1))",
-         called_turned_away(xy(1, 1), xy(1, 4), xy(5, 1)), "true");
-    TEXT("3a.4", "is_turned_away((0, 0) (0, 0.5) (0.5, 0))",
-         called_turned_away(xy(0, 0), xy(0, 0.5), xy(0.5, 0)), "true");
+    TURNED_AWAY((1, 1), (5, 1), (1, 4), "false");
+    TURNED_AWAY((1, 1), (1, 4), (5, 1), "true");
+    TURNED_AWAY((0, 0), (0, 0.5), (0.5, 0), "true");
 
-    TEXT("3b.1", "make_edge((1408, 384), (384, 1152), 1)",
-         called_edge_made(called_on(1408, 384), called_on(384, 1152), 1),
-         "origin 1245184, dx -196608, dy -262144, least 1");
-    TEXT("3b.1", "make_edge((384, 1152), (384, 384), 1)",
-         called_edge_made(called_on(384, 1152), called_on(384, 384), 1),
-         "origin -196608, dx 196608, dy 0, least 0");
-    TEXT("3b.1", "make_edge((384, 384), (1408, 384), 1)",
-         called_edge_made(called_on(384, 384), called_on(1408, 384), 1),
-         "origin -262144, dx 0, dy 262144, least 1");
-    TEXT("3b.1", "make_edge((384, 384), (1408, 384), -1)",
-         called_edge_made(called_on(384, 384), called_on(1408, 384), -1),
-         "origin 262144, dx 0, dy -262144, least 0");
-    TEXT("3b.1", "make_edge((384, 384), (384, 1152), -1)",
-         called_edge_made(called_on(384, 384), called_on(384, 1152), -1),
-         "origin -196608, dx 196608, dy 0, least 0");
-    TEXT("3b.2", "triangle_setup(&edges, (384, 384), (1408, 384), (384, 1152), 40, 8)",
-         called_set_up(called_on(384, 384), called_on(1408, 384), called_on(384, 1152), 1),
-         "area 786432, clockwise 0, rows 1 to 5, width 40, edges with sign 1");
-    TEXT("3b.2", "triangle_setup(&edges, (384, 384), (384, 1152), (1408, 384), 40, 8)",
-         called_set_up(called_on(384, 384), called_on(384, 1152), called_on(1408, 384), -1),
-         "area 786432, clockwise 1, rows 1 to 5, width 40, edges with sign -1");
-    TEXT("3b.2", "triangle_setup(&edges, (384, 384), (1408, 384), (2432, 384), 40, 8)",
-         called_set_up(called_on(384, 384), called_on(1408, 384), called_on(2432, 384), 1),
-         "false");
-    TEXT("3b.3", "triangle_span(edges of the example, 2)", called_found(&called_by_hand, 2),
-         "1 to 4");
-    TEXT("3b.3", "triangle_span(edges of the example, 4)", called_found(&called_by_hand, 4),
-         "empty");
-    TEXT("3b.3", "triangle_span(edges of (4,0) (20,0) (20,12), 1)",
-         called_found(&called_at_the_right, 1), "6 to 8");
-    TEXT("3b.3", "triangle_span(edges of (4,0) (20,0) (20,12), 6)",
-         called_found(&called_at_the_right, 6), "empty");
-    TEXT("3b.3", "triangle_span(edges of (1e6,7) (-1e6,7) (0,-1e6), 0)",
-         called_found(&called_far_away, 0), "0 to 8");
-    TEXT("3b.4", "triangle(image, (384, 384) (1408, 384) (384, 1152), white)",
-         called_filled(called_on(384, 384), called_on(1408, 384), called_on(384, 1152)),
-         "5: (1,2) (2,2) (3,2) (1,3) (2,3)");
-    TEXT("3b.4", "triangle(image, (384, 384) (384, 1152) (1408, 384), white)",
-         called_filled(called_on(384, 384), called_on(384, 1152), called_on(1408, 384)),
-         "5: (1,2) (2,2) (3,2) (1,3) (2,3)");
-    AS_WHOLE("3b.4", "triangle(image, (1152, 128) (5248, 128) (5248, 3200), white)",
-             called_counted(called_on(1152, 128), called_on(5248, 128), called_on(5248, 3200)), 3);
-    AS_WHOLE(
-        "3b.4", "triangle(image, (-2048, -2048) (8192, -2048) (-2048, 8192), white)",
-        called_counted(called_on(-2048, -2048), called_on(8192, -2048), called_on(-2048, 8192)),
-        64);
+    EDGE((1408, 384), (384, 1152), 1, "origin 1245184, dx -196608, dy -262144, least 1");
+    EDGE((384, 1152), (384, 384), 1, "origin -196608, dx 196608, dy 0, least 0");
+    EDGE((384, 384), (1408, 384), 1, "origin -262144, dx 0, dy 262144, least 1");
+    EDGE((384, 384), (1408, 384), -1, "origin 262144, dx 0, dy -262144, least 0");
+    EDGE((384, 384), (384, 1152), -1, "origin -196608, dx 196608, dy 0, least 0");
+    SET_UP((384, 384), (1408, 384), (384, 1152), 1,
+           "area 786432, clockwise 0, rows 1 to 5, width 40, edges with sign 1");
+    SET_UP((384, 384), (384, 1152), (1408, 384), -1,
+           "area 786432, clockwise 1, rows 1 to 5, width 40, edges with sign -1");
+    SET_UP((384, 384), (1408, 384), (2432, 384), 1, "false");
+    SPAN(called_by_hand, "the example", 2, "1 to 4");
+    SPAN(called_by_hand, "the example", 4, "empty");
+    SPAN(called_at_the_right, "(4,0) (20,0) (20,12)", 1, "6 to 8");
+    SPAN(called_at_the_right, "(4,0) (20,0) (20,12)", 6, "empty");
+    SPAN(called_far_away, "(1e6,7) (-1e6,7) (0,-1e6)", 0, "0 to 8");
+    FILLED((384, 384), (1408, 384), (384, 1152), "5: (1,2) (2,2) (3,2) (1,3) (2,3)");
+    FILLED((384, 384), (384, 1152), (1408, 384), "5: (1,2) (2,2) (3,2) (1,3) (2,3)");
+    COUNTED((1152, 128), (5248, 128), (5248, 3200), 3);
+    COUNTED((-2048, -2048), (8192, -2048), (-2048, 8192), 64);
 
-    AS_VECTOR("3c.1", "triangle_weights(edges of the example, 2, 2)", vec3,
-              triangle_weights(&called_by_hand, 2, 2), xyz(5 / 12.0, 3 / 12.0, 4 / 12.0));
-    AS_VECTOR("3c.1", "triangle_weights(edges of the example, 1, 1)", vec3,
-              triangle_weights(&called_by_hand, 1, 1), xyz(1, 0, 0));
-    AS_VECTOR("3c.1", "triangle_weights(the same given clockwise, 2, 2)", vec3,
-              triangle_weights(&called_turned, 2, 2), xyz(5 / 12.0, 4 / 12.0, 3 / 12.0));
+    WEIGHTS(called_by_hand, "edges of the example", 2, 2, xyz(5 / 12.0, 3 / 12.0, 4 / 12.0));
+    WEIGHTS(called_by_hand, "edges of the example", 1, 1, xyz(1, 0, 0));
+    WEIGHTS(called_turned, "the same given clockwise", 2, 2, xyz(5 / 12.0, 4 / 12.0, 3 / 12.0));
     TEXT("3c.2", "mix_colors((0.5, 0.25, 0.25), 10,20,30 90,60,30 50,40,90)",
          called_mixed(xyz(0.5, 0.25, 0.25), rgb(10, 20, 30), rgb(90, 60, 30), rgb(50, 40, 90)),
          "40,35,45");
@@ -217,10 +208,6 @@ static void numbers(void) {
          called_mixed(xyz(5 / 12.0, 3 / 12.0, 4 / 12.0), rgb(255, 0, 0), rgb(0, 255, 0),
                       rgb(0, 0, 255)),
          "106,64,85");
-    TEXT("3c.3", "gradient_triangle(image, (384, 384) (1408, 384) (384, 1152), red green blue)",
-         called_gradient(called_on(384, 384), called_on(1408, 384), called_on(384, 1152)),
-         "5 pixels, (2,2) is 106,64,85");
-    TEXT("3c.3", "gradient_triangle(image, (256, 256) (256, 1280) (1280, 256), red green blue)",
-         called_gradient(called_on(256, 256), called_on(256, 1280), called_on(1280, 256)),
-         "6 pixels, (2,2) is 64,96,96");
+    GRADIENT((384, 384), (1408, 384), (384, 1152), "5 pixels, (2,2) is 106,64,85");
+    GRADIENT((256, 256), (256, 1280), (1280, 256), "6 pixels, (2,2) is 64,96,96");
 }

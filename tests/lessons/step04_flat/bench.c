@@ -23,7 +23,7 @@ static struct {
 
 /* ---- The attempts ---- */
 
-enum { HOUSE = 0 }; /* choices 1 to 7 are the attempts */
+enum { HOUSE = 0 }; /* ways 1 to 7 are the attempts */
 
 typedef double intensity_function(struct vec3 w0, struct vec3 w1, struct vec3 w2,
                                   struct vec3 light);
@@ -39,8 +39,8 @@ static inline void faces_shade(const struct model *model, struct vec3 light, dou
 }
 
 static void faces_find_levels(const struct model *model, struct vec3 light, double *levels,
-                              int choice) {
-    switch (choice) {
+                              int way) {
+    switch (way) {
     case 1:
         faces_shade(model, light, levels, attempt_1_not_normalized);
         break;
@@ -69,10 +69,10 @@ static void faces_find_levels(const struct model *model, struct vec3 light, doub
     }
 }
 
-static void run(int choice) {
+static void run(struct bench_choice choice) {
     for (size_t i = 0; i < LIGHT_COUNT; i++) {
         faces_find_levels(&faces.model, faces.light[i], faces.levels + i * faces.model.face_count,
-                          choice);
+                          choice.way);
     }
 }
 
@@ -95,7 +95,7 @@ static double shown_level(double level) {
 }
 
 /* The largest error of the last run's levels. */
-static double error_of(int choice) {
+static double error_of(struct bench_choice choice) {
     const size_t count = faces.model.face_count;
     double worst = 0;
     (void)choice;
@@ -115,7 +115,7 @@ static bool faces_setup(struct error *error) {
     for (int i = 0; i < LIGHT_COUNT; i++) {
         faces.light[i] = vec3_normalized(directions[i]);
     }
-    if (!bench_read_model(&faces.model, "bust.obj", error)) {
+    if (!model_read(&faces.model, BENCH_MODEL("bust.obj"), error)) {
         return false;
     }
     faces.level_count = LIGHT_COUNT * faces.model.face_count;

@@ -46,34 +46,28 @@ static long called_grey(struct vec3 moved, double size, struct vec3 to_light) {
     return (long)floor(face_intensity(&model, 0, to_light) * 255 + 0.5);
 }
 
+#define PLACED(a, b, c, right)                                                                     \
+    TEXT("4.1", "place_face(" #a " " #b " " #c ", 200 x 100)", called_placed(xyz a, xyz b, xyz c), \
+         right)
+#define DRAWN(a, b, c, right)                                                                      \
+    TEXT("4.2", "triangle(image, " #a " " #b " " #c ", white)",                                    \
+         called_drawn(called_on a, called_on b, called_on c), right)
+#define GREY(face, moved, size, to_light, right)                                                   \
+    AS_WHOLE("4.3", "255 * face_intensity(" face ", l " #to_light ")",                             \
+             called_grey(xyz moved, size, xyz to_light), right)
+
 static void numbers(void) {
-    TEXT("4.1", "place_face((0, 0, 0) (0.5, 0, 0) (0, 0.5, 0.3), 200 x 100)",
-         called_placed(xyz(0, 0, 0), xyz(0.5, 0, 0), xyz(0, 0.5, 0.3)),
-         "(25600,12800) (38400,12800) (25600,19200)");
-    TEXT("4.1", "place_face((-1, -1, 0) (3, -1, 0) (-1, 2, 0), 200 x 100)",
-         called_placed(xyz(-1, -1, 0), xyz(3, -1, 0), xyz(-1, 2, 0)), "(0,0) (102400,0) (0,38400)");
-    TEXT("4.1", "place_face((1e9, 0, 0) (0.5, 0, 0) (0, 0.5, 0), 200 x 100)",
-         called_placed(xyz(1e9, 0, 0), xyz(0.5, 0, 0), xyz(0, 0.5, 0)), "false");
-    TEXT("4.1", "place_face((0, 0, 0) (0.5, 0, 0) (0, -1e9, 0), 200 x 100)",
-         called_placed(xyz(0, 0, 0), xyz(0.5, 0, 0), xyz(0, -1e9, 0)), "false");
-    TEXT("4.2", "triangle(image, (256, 256) (1280, 256) (256, 1024), white)",
-         called_drawn(called_on(256, 256), called_on(1280, 256), called_on(256, 1024)),
-         "(1,1) (2,1) (3,1) (1,2) (2,2) (1,3)");
-    TEXT("4.2", "triangle(image, (256, 256) (256, 1024) (1280, 256), white)",
-         called_drawn(called_on(256, 256), called_on(256, 1024), called_on(1280, 256)),
-         "(1,1) (2,1) (3,1) (1,2) (2,2) (1,3)");
-    TEXT("4.2", "triangle(image, (256, 256) (512, 256) (768, 256), white)",
-         called_drawn(called_on(256, 256), called_on(512, 256), called_on(768, 256)), "none");
-    AS_WHOLE("4.3", "255 * face_intensity((0, 0, 0) (2, 0, 1) (0, 1, 1), l (0, 0, 1))",
-             called_grey(xyz(0, 0, 0), 1, xyz(0, 0, 1)), 170);
-    AS_WHOLE("4.3", "255 * face_intensity((3, 4, 5) (5, 4, 6) (3, 5, 6), l (0, 0, 1))",
-             called_grey(xyz(3, 4, 5), 1, xyz(0, 0, 1)), 170);
-    AS_WHOLE("4.3", "255 * face_intensity((0, 0, 0) (2, 0, 1) (0, 1, 1), l (-0.6, 0, 0.8))",
-             called_grey(xyz(0, 0, 0), 1, xyz(-0.6, 0, 0.8)), 187);
-    AS_WHOLE("4.3", "255 * face_intensity((0, 0, 0) (2, 0, 1) (0, 1, 1), l (0, -0.6, 0.8))",
-             called_grey(xyz(0, 0, 0), 1, xyz(0, -0.6, 0.8)), 238);
-    AS_WHOLE("4.3", "255 * face_intensity((0, 0, 0) (2, 0, 1) (0, 1, 1), l (0, 0, -1))",
-             called_grey(xyz(0, 0, 0), 1, xyz(0, 0, -1)), -170);
-    AS_WHOLE("4.3", "255 * face_intensity(a thousandth of that face, l (0, 0, 1))",
-             called_grey(xyz(0, 0, 0), 0.001, xyz(0, 0, 1)), 170);
+    PLACED((0, 0, 0), (0.5, 0, 0), (0, 0.5, 0.3), "(25600,12800) (38400,12800) (25600,19200)");
+    PLACED((-1, -1, 0), (3, -1, 0), (-1, 2, 0), "(0,0) (102400,0) (0,38400)");
+    PLACED((1e9, 0, 0), (0.5, 0, 0), (0, 0.5, 0), "false");
+    PLACED((0, 0, 0), (0.5, 0, 0), (0, -1e9, 0), "false");
+    DRAWN((256, 256), (1280, 256), (256, 1024), "(1,1) (2,1) (3,1) (1,2) (2,2) (1,3)");
+    DRAWN((256, 256), (256, 1024), (1280, 256), "(1,1) (2,1) (3,1) (1,2) (2,2) (1,3)");
+    DRAWN((256, 256), (512, 256), (768, 256), "none");
+    GREY("(0, 0, 0) (2, 0, 1) (0, 1, 1)", (0, 0, 0), 1, (0, 0, 1), 170);
+    GREY("(3, 4, 5) (5, 4, 6) (3, 5, 6)", (3, 4, 5), 1, (0, 0, 1), 170);
+    GREY("(0, 0, 0) (2, 0, 1) (0, 1, 1)", (0, 0, 0), 1, (-0.6, 0, 0.8), 187);
+    GREY("(0, 0, 0) (2, 0, 1) (0, 1, 1)", (0, 0, 0), 1, (0, -0.6, 0.8), 238);
+    GREY("(0, 0, 0) (2, 0, 1) (0, 1, 1)", (0, 0, 0), 1, (0, 0, -1), -170);
+    GREY("a thousandth of that face", (0, 0, 0), 0.001, (0, 0, 1), 170);
 }

@@ -54,13 +54,11 @@ static bool face_is_placed(const void *tried) {
     return placed;
 }
 
-static const struct case_kind face_cases = {.size = sizeof(struct face_case),
-                                            .make = make_face_case};
-
 const struct property lesson04_properties[] = {
-    PROPERTY("lesson04: light on a face", AGAINST_LONG_DOUBLE, 500000, face_cases,
-             .error = intensity_error, .limit = 16, .error_unit = "eps * sides / height"),
-    PROPERTY("lesson04: from model to screen", AGAINST_LONG_DOUBLE, 300000, face_cases,
-             .holds = face_is_placed),
+    PROPERTY("lesson04: light on a face", AGAINST_LONG_DOUBLE, 500000, struct face_case,
+             make_face_case, .error = intensity_error, .limit = 16,
+             .error_unit = "eps * sides / height"),
+    PROPERTY("lesson04: from model to screen", AGAINST_LONG_DOUBLE, 300000, struct face_case,
+             make_face_case, .holds = face_is_placed),
     {.name = NULL},
 };

@@ -26,7 +26,7 @@ INLINED void attempt_triangle(struct image *image, const struct drawn *d, depth_
 /* Sheets fill the image in CELLS x CELLS cells: the lowest left one is the nearest, the uppermost
  * right one the farthest. */
 enum { SIDE = 800, CELLS = 8, CELL_SIDE = SIDE / CELLS, SHEETS_IN_CELL = 4, NOTHING = 0 };
-enum { PILE_KNOT, PILE_SHEETS, PILE_COUNT, WAYS = 8 /* choices for each pile */ };
+enum { PILE_KNOT, PILE_SHEETS, PILE_COUNT };
 
 /* Triangles to draw. Triangle i has the colour i + 1, as blue + 256 * green + 65536 * red. */
 struct pile {
@@ -80,7 +80,7 @@ static void add_board(struct pile *pile) {
 static bool make_knot(struct pile *pile, const struct image *image, struct error *error) {
     struct model model;
     const struct vec3 light = {0, 0, -1};
-    if (!bench_read_model(&model, "knot.off", error)) {
+    if (!model_read(&model, BENCH_MODEL("knot.off"), error)) {
         return false;
     }
     pile_allocate(pile, model.face_count + 2);
@@ -144,23 +144,13 @@ static int pile_compare(const struct pile *pile, size_t first, size_t second, in
     return oracle_compare_depth(p, pile->depths[first], q, pile->depths[second], x, y);
 }
 
-/* Pixels of the image that a side from least to most (1/256 pixel) can reach. */
-static struct span pixels_between(int32_t a, int32_t b, int32_t c) {
-    int32_t least = a < b ? a : b, most = a > b ? a : b;
-    least = least < c ? least : c;
-    most = most > c ? most : c;
-    int begin = least / SUBPIXELS - 1, end = most / SUBPIXELS + 2;
-    return (struct span){begin > 0 ? begin : 0, end < SIDE ? end : SIDE};
-}
-
 static void pile_find_nearest(struct pile *pile) {
     for (size_t i = 0; i < pile->count; i++) {
         struct fixed2 c[3];
         corners_of(&pile->list[i], c);
-        struct span columns = pixels_between(c[0].x, c[1].x, c[2].x);
-        struct span rows = pixels_between(c[0].y, c[1].y, c[2].y);
-        for (int y = rows.begin; y < rows.end; y++) {
-            for (int x = columns.begin; x < columns.end; x++) {
+        struct rectangle box = oracle_box(c, SIDE, SIDE);
+        for (int y = box.y; y < box.y + box.height; y++) {
+            for (int x = box.x; x < box.x + box.width; x++) {
                 uint32_t *name = &pile->nearest[(size_t)y * SIDE + (size_t)x];
                 if (oracle_covers(c[0], c[1], c[2], x, y) &&
                     (*name == NOTHING || pile_compare(pile, i, *name - 1, x, y) > 0)) {
@@ -176,13 +166,13 @@ static void pile_find_nearest(struct pile *pile) {
 
 /* ---- Several ways to decide ---- */
 
-static void run_knot(int choice) {
+static void run_knot(struct bench_choice choice) {
     const struct pile *pile = &bench.piles[PILE_KNOT];
     struct canvas canvas = {.image = &bench.image, .depth = bench.buffer};
     memset(bench.image.pixels, 0, (size_t)SIDE * SIDE * 3);
-    if (choice == FILE_ORDER) {
+    if (choice.way == FILE_ORDER) {
         attempt_1_file_order(&bench.image, pile->list, pile->count);
-    } else if (choice == PAINTER) {
+    } else if (choice.way == PAINTER) {
         memcpy(bench.sorted, pile->list, pile->count * sizeof *pile->list);
         attempt_2_painter(&bench.image, bench.sorted, pile->count);
     } else {
@@ -285,12 +275,12 @@ static struct mapping mapping_of(int kind, double far) {
     return (struct mapping){1.5 - scale * far, scale};
 }
 
-static void run_sheets(int choice) {
+static void run_sheets(struct bench_choice choice) {
     const struct pile *pile = &bench.piles[PILE_SHEETS];
-    const struct kind *kind = &kinds[choice % WAYS];
-    struct mapping mapping = mapping_of(choice % WAYS, pile->far);
+    const struct kind *kind = &kinds[choice.way];
+    struct mapping mapping = mapping_of(choice.way, pile->far);
     memset(bench.image.pixels, 0, (size_t)SIDE * SIDE * 3);
-    clear_kept(bench.buffer, choice % WAYS);
+    clear_kept(bench.buffer, choice.way);
     for (size_t i = 0; i < pile->count; i++) {
         struct drawn d = pile->list[i];
         for (int k = 0; k < 3; k++) {
@@ -303,8 +293,8 @@ static void run_sheets(int choice) {
 /* ---- The errors ---- */
 
 /* Pixels of the image that show another triangle than the nearest, of 1000 that show one. */
-static double error_of(int choice) {
-    const struct pile *pile = &bench.piles[choice / WAYS];
+static double error_of(struct bench_choice choice) {
+    const struct pile *pile = &bench.piles[choice.on];
     size_t wrong = 0;
     for (int y = 0; y < SIDE; y++) {
         for (int x = 0; x < SIDE; x++) {
@@ -367,7 +357,7 @@ static const struct bench_panel depth_panels[] = {
         .time_label = "ms per frame",
         .against = "exact fractions",
         .house_within = BENCH_EXACT,
-        .base = PILE_SHEETS * WAYS,
+        .on = PILE_SHEETS,
         .run = run_sheets,
         .error = error_of,
         BENCH_VERSIONS(sheets_versions),

@@ -9,10 +9,6 @@
 
 /* ---- Triangles ---- */
 
-static void make_layers_case(struct random *random, uint64_t index, void *made) {
-    make_layers(random, index, made);
-}
-
 /* There is nothing to skip: what is hidden has no colour to compute. */
 static struct layer_work draw_layers(const void *tried, const struct depth_image *on) {
     const struct layers *layers = tried;
@@ -79,15 +75,10 @@ static bool depth_levels_are_right(const void *tried) {
     return right;
 }
 
-static const struct case_kind layers_cases = {.size = sizeof(struct layers),
-                                              .make = make_layers_case};
-static const struct case_kind depths_cases = {.size = sizeof(struct depths_case),
-                                              .make = make_depths};
-
 const struct property lesson05_properties[] = {
-    PROPERTY("lesson05: nearest triangle, depths", AGAINST_LONG_DOUBLE, 100000, layers_cases,
-             .holds = nearest_triangle_shows),
-    PROPERTY("lesson05: depths as levels", AGAINST_LONG_DOUBLE, 200000, depths_cases,
-             .holds = depth_levels_are_right),
+    PROPERTY("lesson05: nearest triangle, depths", AGAINST_LONG_DOUBLE, 100000, struct layers,
+             make_layers, .holds = nearest_triangle_shows),
+    PROPERTY("lesson05: depths as levels", AGAINST_LONG_DOUBLE, 200000, struct depths_case,
+             make_depths, .holds = depth_levels_are_right),
     {.name = NULL},
 };

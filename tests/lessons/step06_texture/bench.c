@@ -157,7 +157,6 @@ enum {
     EVERY_8,
     EVERY_16,
     AFFINE,
-    WAYS = 32 /* choices for each target */
 };
 
 static draw_function *const draws[] = {
@@ -172,11 +171,11 @@ static draw_function *const draws[] = {
     [AFFINE] = draw_affine,
 };
 
-static void draw_target(struct target *target, int choice) {
+static void draw_target(struct target *target, int way) {
     const struct vertex *c = target->corners;
     const struct vertex first[3] = {c[0], c[1], c[2]}, second[3] = {c[0], c[2], c[3]};
-    draws[choice](&target->image, first, &target->texture);
-    draws[choice](&target->image, second, &target->texture);
+    draws[way](&target->image, first, &target->texture);
+    draws[way](&target->image, second, &target->texture);
 }
 
 /* Root of the mean squared error of the three channels of what was drawn last. */
@@ -251,20 +250,30 @@ static void count_pixels_of(struct target *target) {
     }
 }
 
-static bool make_far(struct target *far, struct error *error) {
-    if (!target_create(far, FAR_SIDE, error) || !make_checker(&far->texture, error)) {
+/* The scene's surface, and no exact colours yet. */
+static bool begin_checker(struct target *target, size_t side, struct error *error) {
+    if (!target_create(target, side, error) || !make_checker(&target->texture, error)) {
         return false;
     }
-    place_surface(&(struct drawing){.values = NULL}, &far->image, plane_corners, far->corners);
+    place_surface(&(struct drawing){.values = NULL}, &target->image, plane_corners,
+                  target->corners);
+    for (size_t i = 0; i < side * side; i++) {
+        target->exact[i] = (struct vec3){-1, -1, -1};
+    }
+    return true;
+}
+
+static bool make_far(struct target *far, struct error *error) {
+    if (!begin_checker(far, FAR_SIDE, error)) {
+        return false;
+    }
 #ifdef _OPENMP
 #pragma omp parallel for schedule(dynamic)
 #endif
     for (int y = 0; y < FAR_SIDE; y++) {
         for (int x = 0; x < FAR_SIDE; x++) {
-            struct vec3 *exact = &far->exact[y * FAR_SIDE + x];
-            if (!exact_checker((size_t)x, (size_t)y, FAR_SIDE, FAR_SIDE, FAR_RAYS, exact)) {
-                *exact = (struct vec3){-1, -1, -1};
-            }
+            exact_checker((size_t)x, (size_t)y, FAR_SIDE, FAR_SIDE, FAR_RAYS,
+                          &far->exact[y * FAR_SIDE + x]);
         }
     }
     count_pixels_of(far);
@@ -297,12 +306,8 @@ static void find_exact_texels(struct target *target, struct vertex a, struct ver
 }
 
 static bool make_tiles(struct target *tiles, struct error *error) {
-    if (!target_create(tiles, TILES_SIDE, error) || !make_checker(&tiles->texture, error)) {
+    if (!begin_checker(tiles, TILES_SIDE, error)) {
         return false;
-    }
-    place_surface(&(struct drawing){.values = NULL}, &tiles->image, plane_corners, tiles->corners);
-    for (size_t i = 0; i < (size_t)TILES_SIDE * TILES_SIDE; i++) {
-        tiles->exact[i] = (struct vec3){-1, -1, -1};
     }
     const struct vertex *c = tiles->corners;
     find_exact_texels(tiles, c[0], c[1], c[2]);
@@ -318,12 +323,12 @@ static bool setup(struct error *error) {
 
 /* ---- The panels ---- */
 
-static void run(int choice) {
-    draw_target(&targets[choice / WAYS], choice % WAYS);
+static void run(struct bench_choice choice) {
+    draw_target(&targets[choice.on], choice.way);
 }
 
-static double error_of(int choice) {
-    return target_error(&targets[choice / WAYS]);
+static double error_of(struct bench_choice choice) {
+    return target_error(&targets[choice.on]);
 }
 
 static const struct bench_version near_versions[] = {
@@ -338,24 +343,22 @@ static const struct bench_version far_versions[] = {
     HOUSE_VERSION("mip levels (main.c)", HOUSE),
 };
 
+static const char stepped_series[] = "stepped along a row";
+
 static const struct bench_version perspective_versions[] = {
     HOUSE_VERSION("every pixel, from weights", NEAREST),
-    VERSION("every pixel", EVERY_1),
-    VERSION("every 8", EVERY_8),
-    VERSION("16", EVERY_16),
-    VERSION("affine", AFFINE),
+    VERSION_OF(stepped_series, "every pixel", EVERY_1, 0),
+    VERSION_OF(stepped_series, "every 8", EVERY_8, 0),
+    VERSION_OF(stepped_series, "16", EVERY_16, 0),
+    VERSION_OF(stepped_series, "affine", AFFINE, 0),
 };
-
-static const char *perspective_series(int choice) {
-    return choice % WAYS == NEAREST ? NULL : "stepped along a row";
-}
 
 static const struct bench_panel bench_panels[] = {
     {.title = "Near: 16x16 texels, enlarged to 512x512 pixels",
      .error_label = "levels, root mean square",
      .time_label = "ns per pixel",
      .against = "256 samples a pixel",
-     .base = HILL * WAYS,
+     .on = HILL,
      .run = run,
      .error = error_of,
      .units = &targets[HILL].pixels,
@@ -364,7 +367,7 @@ static const struct bench_panel bench_panels[] = {
      .error_label = "levels, root mean square",
      .time_label = "ns per pixel",
      .against = "1024 rays a pixel",
-     .base = FAR * WAYS,
+     .on = FAR,
      .run = run,
      .error = error_of,
      .units = &targets[FAR].pixels,
@@ -374,13 +377,12 @@ static const struct bench_panel bench_panels[] = {
      .error_label = "levels, root mean square",
      .time_label = "ns per pixel",
      .against = "the same texels, found in long double",
-     .base = TILES * WAYS,
+     .on = TILES,
      .run = run,
      .error = error_of,
      .units = &targets[TILES].pixels,
      BENCH_VERSIONS(perspective_versions),
      .budget = 2,
-     .series = perspective_series,
      .house_within = BENCH_EXACT},
 };
 

@@ -270,17 +270,12 @@ static bool perspective_is_right(const void *tried) {
     return right;
 }
 
-static const struct case_kind textured_cases = {.size = sizeof(struct texture_case),
-                                                .make = make_textured};
-static const struct case_kind mip_cases = {.size = sizeof(struct mip_case), .make = make_mip};
-static const struct case_kind perspective_cases = {.size = sizeof(struct perspective_case),
-                                                   .make = make_perspective};
-
 const struct property lesson06_properties[] = {
-    PROPERTY("lesson06: texture, nearest triangle", AGAINST_LONG_DOUBLE, 100000, textured_cases,
-             .holds = textured_is_right),
-    PROPERTY("lesson06: mip level", AGAINST_LONG_DOUBLE, 300000, mip_cases, .holds = mip_is_right),
-    PROPERTY("lesson06: perspective", AGAINST_LONG_DOUBLE, 100000, perspective_cases,
-             .holds = perspective_is_right),
+    PROPERTY("lesson06: texture, nearest triangle", AGAINST_LONG_DOUBLE, 100000,
+             struct texture_case, make_textured, .holds = textured_is_right),
+    PROPERTY("lesson06: mip level", AGAINST_LONG_DOUBLE, 300000, struct mip_case, make_mip,
+             .holds = mip_is_right),
+    PROPERTY("lesson06: perspective", AGAINST_LONG_DOUBLE, 100000, struct perspective_case,
+             make_perspective, .holds = perspective_is_right),
     {.name = NULL},
 };

@@ -124,28 +124,20 @@ static mesh_function *const ways[LIGHT_COUNT][WAY_COUNT] = {
     {flat_highlight, gouraud_highlight, per_pixel_highlight},
 };
 
-/* A choice is a mesh, a kind of light and a way. */
-#define CHOICE(mesh, kind, way) ((way) + WAY_COUNT * ((kind) + LIGHT_COUNT * (mesh)))
+/* What is worked on: a kind of light, which the panel says, and a mesh. */
+#define LIGHT(kind) ((kind)*MESH_COUNT)
 
-static int way_of(int choice) {
-    return choice % WAY_COUNT;
-}
-
-static int light_of(int choice) {
-    return choice / WAY_COUNT % LIGHT_COUNT;
-}
-
-static void run(int choice) {
+static void run(struct bench_choice choice) {
     struct canvas canvas = {
         .image = &work.image, .width = SIDE, .height = SIDE, .depth = work.depth, .skip = true};
     depth_clear(work.depth, (size_t)SIDE * SIDE);
-    ways[light_of(choice)][way_of(choice)](&canvas, &work.meshes[choice / WAY_COUNT / LIGHT_COUNT],
-                                           work.light);
+    ways[choice.on / MESH_COUNT][choice.way](&canvas, &work.meshes[choice.on % MESH_COUNT],
+                                             work.light);
 }
 
 /* Root of the mean squared error over the pixels that the sphere and its triangles share. */
-static double error_of(int choice) {
-    const long double *exact = work.exact[light_of(choice)];
+static double error_of(struct bench_choice choice) {
+    const long double *exact = work.exact[choice.on / MESH_COUNT];
     long double sum = 0, pixels = 0;
     for (size_t i = 0; i < (size_t)SIDE * SIDE; i++) {
         if (exact[i] >= 0 && work.depth[i] > -INFINITY) {
@@ -213,22 +205,15 @@ static bool setup(struct error *error) {
 
 /* ---- The panels ---- */
 
-#define ON(label, mesh, kind, way)                                                                 \
-    { .name = (label), .choice = CHOICE(mesh, kind, way), .is_house = (way) == GOURAUD }
-#define MESHES(kind, way)                                                                          \
-    ON("128", 0, kind, way), ON("512", 1, kind, way), ON("2,048", 2, kind, way),                   \
-        ON("8,192", 3, kind, way), ON("32,768", 4, kind, way)
+#define MESHES(macro, series, way)                                                                 \
+    macro(series, "128", way, 0), macro(series, "512", way, 1), macro(series, "2,048", way, 2),    \
+        macro(series, "8,192", way, 3), macro(series, "32,768", way, 4)
 
-static const struct bench_version diffuse_versions[] = {
-    MESHES(DIFFUSE, FLAT), MESHES(DIFFUSE, GOURAUD), MESHES(DIFFUSE, PER_PIXEL)};
-
-static const struct bench_version highlight_versions[] = {
-    MESHES(HIGHLIGHT, FLAT), MESHES(HIGHLIGHT, GOURAUD), MESHES(HIGHLIGHT, PER_PIXEL)};
-
-static const char *series(int choice) {
-    static const char *const names[WAY_COUNT] = {"flat", "Gouraud", "normal per pixel"};
-    return names[way_of(choice)];
-}
+static const struct bench_version sphere_versions[] = {
+    MESHES(VERSION_OF, "flat", FLAT),
+    MESHES(HOUSE_VERSION_OF, "Gouraud", GOURAUD),
+    MESHES(VERSION_OF, "normal per pixel", PER_PIXEL),
+};
 
 static const struct bench_panel bench_panels[] = {
     {.title = "Diffuse light on spheres of 128 to 32,768 triangles, 512x512",
@@ -238,8 +223,8 @@ static const struct bench_panel bench_panels[] = {
      .run = run,
      .error = error_of,
      .units = &work.pixels,
-     BENCH_VERSIONS(diffuse_versions),
-     .series = series},
+     .on = LIGHT(DIFFUSE),
+     BENCH_VERSIONS(sphere_versions)},
     {.title = "A highlight on the same spheres",
      .error_label = "levels, root mean square",
      .time_label = "ns per pixel",
@@ -247,8 +232,8 @@ static const struct bench_panel bench_panels[] = {
      .run = run,
      .error = error_of,
      .units = &work.pixels,
-     BENCH_VERSIONS(highlight_versions),
-     .series = series},
+     .on = LIGHT(HIGHLIGHT),
+     BENCH_VERSIONS(sphere_versions)},
 };
 
 const struct bench_lesson bench_step07 =

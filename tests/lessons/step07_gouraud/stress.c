@@ -137,15 +137,10 @@ static bool smooth_is_right(const void *tried) {
     return layers_are_right(&layered);
 }
 
-static const struct case_kind corner_cases = {.size = sizeof(struct corner_case),
-                                              .make = make_corner};
-static const struct case_kind smooth_cases = {.size = sizeof(struct smooth_case),
-                                              .make = make_smooth};
-
 const struct property lesson07_properties[] = {
-    PROPERTY("lesson07: light at a corner", AGAINST_LONG_DOUBLE, 300000, corner_cases,
-             .error = parts_error, .limit = 8, .error_unit = "ulp of 1 a factor"),
-    PROPERTY("lesson07: smooth between corners", AGAINST_LONG_DOUBLE, 100000, smooth_cases,
-             .holds = smooth_is_right),
+    PROPERTY("lesson07: light at a corner", AGAINST_LONG_DOUBLE, 300000, struct corner_case,
+             make_corner, .error = parts_error, .limit = 8, .error_unit = "ulp of 1 a factor"),
+    PROPERTY("lesson07: smooth between corners", AGAINST_LONG_DOUBLE, 100000, struct smooth_case,
+             make_smooth, .holds = smooth_is_right),
     {.name = NULL},
 };

@@ -10,7 +10,6 @@
 #include "../../../step08_projection/attempts.h"
 
 #include "bench/bench.h"
-#include "files/model_file.h"
 #include "files/normals.h"
 #include "oracle/oracle.h"
 #include "oracle/reals.h"
@@ -86,9 +85,6 @@ static struct {
 
 enum number { IN_FLOAT, IN_DOUBLE };
 
-/* A version: type of number and offset. */
-#define CHAIN(number, offset) ((int)(number) * (int)OFFSETS + (offset))
-
 /* The same operations for both types: those of mat4_point() and place(). */
 #define TRANSFORM(name, real, point, matrix)                                                       \
     static inline real name##_row(const real m[4], real x, real y, real z) {                       \
@@ -109,10 +105,10 @@ enum number { IN_FLOAT, IN_DOUBLE };
 TRANSFORM(transform_float, float, struct vec3_float, struct mat4_float)
 TRANSFORM(transform_double, double, struct vec3, struct mat4)
 
-static void run_chain(int choice) {
+static void run_chain(struct bench_choice choice) {
     for (int k = 0; k < CAMERAS; k++) {
-        struct view *v = &work.views[choice % (int)OFFSETS][k];
-        if (choice / (int)OFFSETS == IN_FLOAT) {
+        struct view *v = &work.views[choice.on][k];
+        if (choice.way == IN_FLOAT) {
             transform_float(v->count, v->corners_float, &v->to_clip_float, &work.to_screen_float,
                             v->screen);
         } else {
@@ -132,10 +128,10 @@ static void find_screen(const struct camera *camera, struct vec3 corner, long do
     screen[1] = (real3_dot(p, y) / w + 1) * SIDE / 2;
 }
 
-static double error_chain(int choice) {
+static double error_chain(struct bench_choice choice) {
     long double worst = 0;
     for (int k = 0; k < CAMERAS; k++) {
-        const struct view *view = &work.views[choice % (int)OFFSETS][k];
+        const struct view *view = &work.views[choice.on][k];
         for (size_t i = 0; i < view->count; i++) {
             long double exact[2];
             find_screen(&view->camera, view->corners[i], exact);
@@ -204,13 +200,10 @@ static attempt_inverse *const inverters[] = {
     [HOUSE_INVERSE] = mat4_inverse,
 };
 
-/* A version: how to invert, and which condition the matrices have. */
-#define INVERT(inverter, condition) ((int)(inverter)*CONDITIONS + (condition))
-
-static void run_inverse(int choice) {
-    const struct mat4 *matrices = work.matrices[choice % CONDITIONS];
+static void run_inverse(struct bench_choice choice) {
+    const struct mat4 *matrices = work.matrices[choice.on];
     for (int i = 0; i < MATRICES; i++) {
-        work.inverted[i] = inverters[choice / CONDITIONS](matrices[i], &work.inverses[i]);
+        work.inverted[i] = inverters[choice.way](matrices[i], &work.inverses[i]);
     }
 }
 
@@ -234,13 +227,13 @@ static long double inverse_error(const struct whole *a, const struct mat4 *inver
     return worst / largest;
 }
 
-static double error_inverse(int choice) {
+static double error_inverse(struct bench_choice choice) {
     long double worst = 0;
     for (int i = 0; i < MATRICES; i++) {
         if (!work.inverted[i]) {
             return (double)INFINITY;
         }
-        worst = fmaxl(worst, inverse_error(&work.whole[choice % CONDITIONS][i], &work.inverses[i]));
+        worst = fmaxl(worst, inverse_error(&work.whole[choice.on][i], &work.inverses[i]));
     }
     return (double)worst;
 }
@@ -322,11 +315,11 @@ static attempt_draw *const draws[] = {
     [CLIPPED] = draw_model,
 };
 
-static void run_clip(int choice) {
+static void run_clip(struct bench_choice choice) {
     struct canvas canvas = make_canvas(&work.drawing, &work.small, whole_image(&work.small));
     depth_clear(work.depth, (size_t)SMALL_SIDE * SMALL_SIDE);
     work.drawing.counter_count = 0;
-    draws[choice](&work.drawing, &canvas, &work.views[0][1].to_clip);
+    draws[choice.way](&work.drawing, &canvas, &work.views[0][1].to_clip);
 }
 
 /* A face as rays see it: the ray through ndc (x, y) meets its plane at the sum of weight[i] times
@@ -408,7 +401,7 @@ static void find_all(void) {
 }
 
 /* Pixels whose depth is not that of the exact point, or that show something where nothing is. */
-static double error_clip(int choice) {
+static double error_clip(struct bench_choice choice) {
     size_t wrong = 0;
     (void)choice;
     for (size_t i = 0; i < (size_t)SMALL_SIDE * SMALL_SIDE; i++) {
@@ -424,7 +417,7 @@ static double error_clip(int choice) {
 
 static bool setup(struct error *error) {
     struct model *model = &work.model;
-    if (!bench_read_model(model, "bust.obj", error) || !model_need_normals(model, error)) {
+    if (!model_read(model, BENCH_MODEL("bust.obj"), error) || !model_need_normals(model, error)) {
         return false;
     }
     work.drawing = (struct drawing){
@@ -447,42 +440,29 @@ static bool setup(struct error *error) {
 
 /* ---- The panels ---- */
 
-static const char *chain_series(int choice) {
-    return choice / (int)OFFSETS == IN_FLOAT ? "float" : "double";
-}
-
 static const struct bench_version chain_versions[] = {
-    VERSION("0", CHAIN(IN_FLOAT, 0)),
-    VERSION("1,000", CHAIN(IN_FLOAT, 1)),
-    VERSION("10^6", CHAIN(IN_FLOAT, 2)),
-    HOUSE_VERSION("0", CHAIN(IN_DOUBLE, 0)),
-    HOUSE_VERSION("1,000", CHAIN(IN_DOUBLE, 1)),
-    HOUSE_VERSION("10^6", CHAIN(IN_DOUBLE, 2)),
+    VERSION_OF("float", "0", IN_FLOAT, 0),
+    VERSION_OF("float", "1,000", IN_FLOAT, 1),
+    VERSION_OF("float", "10^6", IN_FLOAT, 2),
+    HOUSE_VERSION_OF("double", "0", IN_DOUBLE, 0),
+    HOUSE_VERSION_OF("double", "1,000", IN_DOUBLE, 1),
+    HOUSE_VERSION_OF("double", "10^6", IN_DOUBLE, 2),
 };
 
-static const char *inverse_series(int choice) {
-    static const char *const names[] = {
-        [COFACTORS_FLOAT] = "cofactors, float",
-        [COFACTORS] = "cofactors",
-        [HOUSE_INVERSE] = "mat4_inverse()",
-    };
-    return names[choice / CONDITIONS];
-}
-
 static const struct bench_version inverse_versions[] = {
-    VERSION("2^4", INVERT(COFACTORS_FLOAT, 0)),
-    VERSION("2^12", INVERT(COFACTORS_FLOAT, 1)),
-    VERSION("2^24", INVERT(COFACTORS_FLOAT, 2)),
-    VERSION("2^4", INVERT(COFACTORS, 0)),
-    VERSION("2^12", INVERT(COFACTORS, 1)),
-    VERSION("2^24", INVERT(COFACTORS, 2)),
-    VERSION("2^36", INVERT(COFACTORS, 3)),
-    VERSION("2^48", INVERT(COFACTORS, 4)),
-    HOUSE_VERSION("2^4", INVERT(HOUSE_INVERSE, 0)),
-    HOUSE_VERSION("2^12", INVERT(HOUSE_INVERSE, 1)),
-    HOUSE_VERSION("2^24", INVERT(HOUSE_INVERSE, 2)),
-    HOUSE_VERSION("2^36", INVERT(HOUSE_INVERSE, 3)),
-    HOUSE_VERSION("2^48", INVERT(HOUSE_INVERSE, 4)),
+    VERSION_OF("cofactors, float", "2^4", COFACTORS_FLOAT, 0),
+    VERSION_OF("cofactors, float", "2^12", COFACTORS_FLOAT, 1),
+    VERSION_OF("cofactors, float", "2^24", COFACTORS_FLOAT, 2),
+    VERSION_OF("cofactors", "2^4", COFACTORS, 0),
+    VERSION_OF("cofactors", "2^12", COFACTORS, 1),
+    VERSION_OF("cofactors", "2^24", COFACTORS, 2),
+    VERSION_OF("cofactors", "2^36", COFACTORS, 3),
+    VERSION_OF("cofactors", "2^48", COFACTORS, 4),
+    HOUSE_VERSION_OF("mat4_inverse()", "2^4", HOUSE_INVERSE, 0),
+    HOUSE_VERSION_OF("mat4_inverse()", "2^12", HOUSE_INVERSE, 1),
+    HOUSE_VERSION_OF("mat4_inverse()", "2^24", HOUSE_INVERSE, 2),
+    HOUSE_VERSION_OF("mat4_inverse()", "2^36", HOUSE_INVERSE, 3),
+    HOUSE_VERSION_OF("mat4_inverse()", "2^48", HOUSE_INVERSE, 4),
 };
 
 static const struct bench_version clip_versions[] = {
@@ -499,8 +479,7 @@ static const struct bench_panel bench_panels[] = {
      .run = run_chain,
      .error = error_chain,
      .units = &work.corner_count,
-     BENCH_VERSIONS(chain_versions),
-     .series = chain_series},
+     BENCH_VERSIONS(chain_versions)},
     {.title = "Inverses of matrices of condition 2^4 to 2^48",
      .error_label = "largest error of an entry, as part of the largest entry",
      .time_label = "ns per inverse",
@@ -508,8 +487,7 @@ static const struct bench_panel bench_panels[] = {
      .run = run_inverse,
      .error = error_inverse,
      .units = &work.matrix_count,
-     BENCH_VERSIONS(inverse_versions),
-     .series = inverse_series},
+     BENCH_VERSIONS(inverse_versions)},
     {.title = "Close up: faces reach behind the camera, 200x200 pixels",
      .error_label = "pixels wrong of 40,000",
      .time_label = "ms per frame",

@@ -115,45 +115,37 @@ static struct listed called_clipped(struct vec4 a, struct vec4 b, struct vec4 c,
     return listed;
 }
 
-/* Six digits; -0 + 0 is 0. */
-static struct shown called_listed_corners(struct listed listed) {
+/* The corners, or their weights, to six digits; -0 + 0 is 0. */
+static struct shown called_listed(struct listed listed, bool weights) {
     struct shown shown = show(listed.count == 0 ? "nothing" : "");
     for (size_t i = 0; i < listed.count; i++) {
-        struct vec4 p = listed.left.corner[(listed.first + i) % listed.count].clip;
-        shown = show("%.140s%s(%.6g,%.6g,%.6g,%.6g)", shown.text, i > 0 ? " " : "", p.x + 0,
-                     p.y + 0, p.z + 0, p.w + 0);
-    }
-    return shown;
-}
-
-static struct shown called_listed_weights(struct listed listed) {
-    struct shown shown = {""};
-    for (size_t i = 0; i < listed.count; i++) {
-        struct vec3 w = listed.left.corner[(listed.first + i) % listed.count].weight;
-        shown = show("%.150s%s(%.6g,%.6g,%.6g)", shown.text, i > 0 ? " " : "", w.x + 0, w.y + 0,
-                     w.z + 0);
+        struct clip_corner c = listed.left.corner[(listed.first + i) % listed.count];
+        struct vec4 p = weights ? xyzw(c.weight.x, c.weight.y, c.weight.z, 0) : c.clip;
+        shown = show("%.140s%s(%.6g,%.6g,%.6g", shown.text, i > 0 ? " " : "", p.x + 0, p.y + 0,
+                     p.z + 0);
+        shown = weights ? show("%.190s)", shown.text) : show("%.170s,%.6g)", shown.text, p.w + 0);
     }
     return shown;
 }
 
 /* Cut at the plane that must give `right`, whichever number it has, or else at this one. */
-static struct shown called_cut_at(struct shown (*list)(struct listed), struct vec4 a, struct vec4 b,
-                                  struct vec4 c, int plane, const char *right) {
+static struct shown called_cut_at(bool weights, struct vec4 a, struct vec4 b, struct vec4 c,
+                                  int plane, const char *right) {
     for (int other = 0; other < CLIP_PLANES; other++) {
-        struct shown shown = list(called_clipped(a, b, c, other));
+        struct shown shown = called_listed(called_clipped(a, b, c, other), weights);
         if (strcmp(shown.text, right) == 0) {
             return shown;
         }
     }
-    return list(called_clipped(a, b, c, plane));
+    return called_listed(called_clipped(a, b, c, plane), weights);
 }
 
 #define CLIP(plane, a, b, c, right)                                                                \
     TEXT("8e.1", "clip_at_plane(" #a " " #b " " #c ", " #plane ")",                                \
-         called_cut_at(called_listed_corners, xyzw a, xyzw b, xyzw c, plane, right), right)
+         called_cut_at(false, xyzw a, xyzw b, xyzw c, plane, right), right)
 #define WEIGHTS(plane, a, b, c, right)                                                             \
     TEXT("8e.1", "clip_at_plane(" #a " " #b " " #c ", " #plane "), weights",                       \
-         called_cut_at(called_listed_weights, xyzw a, xyzw b, xyzw c, plane, right), right)
+         called_cut_at(true, xyzw a, xyzw b, xyzw c, plane, right), right)
 
 static void numbers(void) {
     VIEWPORT(800, 800, 0.5, -1, xy(600, 0));

@@ -215,15 +215,12 @@ static bool values_are_right(const void *tried) {
     return right;
 }
 
-static const struct case_kind side_cases = {.size = sizeof(struct vec4), .make = make_side};
-static const struct case_kind soup_cases = {sizeof(struct soup_case), make_soup};
-
 const struct property lesson08_properties[] = {
-    PROPERTY("lesson08: beyond which sides", AGAINST_LONG_DOUBLE, 300000, side_cases,
+    PROPERTY("lesson08: beyond which sides", AGAINST_LONG_DOUBLE, 300000, struct vec4, make_side,
              .holds = sides_are_right),
-    PROPERTY("lesson08: the nearest by z/w", AGAINST_LONG_DOUBLE, 10000, soup_cases,
-             .judge = judge_nearest),
-    PROPERTY("lesson08: values in perspective", AGAINST_LONG_DOUBLE, 10000, soup_cases,
-             .holds = values_are_right),
+    PROPERTY("lesson08: the nearest by z/w", AGAINST_LONG_DOUBLE, 10000, struct soup_case,
+             make_soup, .judge = judge_nearest),
+    PROPERTY("lesson08: values in perspective", AGAINST_LONG_DOUBLE, 10000, struct soup_case,
+             make_soup, .holds = values_are_right),
     {.name = NULL},
 };

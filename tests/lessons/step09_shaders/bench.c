@@ -9,7 +9,6 @@
 #include "lesson.h"
 
 #include "bench/bench.h"
-#include "files/model_file.h"
 #include "files/normals.h"
 #include "oracle/oracle.h"
 #include "oracle/texels.h"
@@ -43,8 +42,8 @@ static struct shader attempt_called(const struct shader *shader) {
 }
 
 /* simple_draw(); visible_draw() in one band, and in bands; the pipeline, which calls the shader for
- * several pixels, or doesn't; added where it has two threads. */
-enum { SIMPLE, ONE_BAND, BANDS, CALLED, VISIBLE, KINDS, TWO_THREADS = KINDS };
+ * several pixels, or doesn't. */
+enum { SIMPLE, ONE_BAND, BANDS, CALLED, VISIBLE };
 
 static bool draw_by_pipeline(int kind, struct pipeline *p) {
     struct error error;
@@ -55,29 +54,29 @@ static bool draw_by_pipeline(int kind, struct pipeline *p) {
            pipeline_finish(p, &work.image, &error);
 }
 
-static void run(int choice) {
+static void run(struct bench_choice choice) {
     const size_t pixels = (size_t)SIDE * SIDE;
     const struct canvas canvas = {&work.image, work.depth};
     memset(work.image.pixels, 0, pixels * IMAGE_BGRA);
-    if (choice % KINDS > BANDS) {
-        work.drawn = draw_by_pipeline(choice % KINDS, &work.pipelines[choice / KINDS]);
+    if (choice.way > BANDS) {
+        work.drawn = draw_by_pipeline(choice.way, &work.pipelines[choice.on]);
         return;
     }
     work.drawn = true;
-    if (choice == SIMPLE) {
+    if (choice.way == SIMPLE) {
         depth_clear(work.depth, pixels);
         simple_draw(&canvas, &work.call, &simple_gouraud_textured, &work.uniforms);
         return;
     }
     const struct band band = {
-        {0, choice == BANDS ? BAND_ROWS : SIDE}, SIDE, work.depth, work.nearest};
+        {0, choice.way == BANDS ? BAND_ROWS : SIDE}, SIDE, work.depth, work.nearest};
     size_t count = keep_faces(&canvas, &work.call, work.kept);
     visible_draw(&canvas, band, work.kept, (uint32_t)count, &simple_gouraud_textured,
                  &work.uniforms);
 }
 
 /* The mean difference of the channels of all pixels that either picture shows. */
-static double error_of(int choice) {
+static double error_of(struct bench_choice choice) {
     double sum = 0, count = 0;
     (void)choice;
     for (size_t i = 0; i < (size_t)SIDE * SIDE; i++) {
@@ -159,49 +158,37 @@ static void draw_exactly(void) {
 
 /* ---- Setting up ---- */
 
-/* Make the model a row of `count` copies of itself, moved by `offset` each, the farthest
- * first. */
-static bool repeat_model(struct model *model, size_t count, struct vec3 offset,
-                         struct error *error) {
+/* Make the model a row of `count` copies of itself, moved by `offset` each, the farthest first. */
+static void repeat_model(struct model *model, size_t count, struct vec3 offset) {
     size_t positions = model->position_count, faces = model->face_count;
-    void *grown = realloc(model->positions, count * positions * sizeof *model->positions);
-    if (grown != NULL) {
-        model->positions = grown;
+    struct vec3 *all = bench_memory(count * positions, sizeof *all);
+    struct face *all_faces = bench_memory(count * faces, sizeof *all_faces);
+    for (size_t i = 0; i < count * positions; i++) {
+        struct vec3 by = vec3_scale(offset, (double)(count - 1 - i / positions));
+        all[i] = vec3_add(model->positions[i % positions], by);
     }
-    struct face *all = realloc(model->faces, count * faces * sizeof *all);
-    if (all != NULL) {
-        model->faces = all;
-    }
-    if (grown == NULL || all == NULL) {
-        return error_out_of_memory(error);
-    }
-    /* The last copy first: copy 0 is what the others are made of. */
-    for (size_t copy = count; copy-- > 0;) {
-        struct vec3 by = vec3_scale(offset, (double)(count - 1 - copy));
-        for (size_t i = 0; i < positions; i++) {
-            model->positions[copy * positions + i] = vec3_add(model->positions[i], by);
-        }
-        for (size_t i = 0; i < faces; i++) {
-            struct face *face = &model->faces[copy * faces + i];
-            *face = model->faces[i];
-            for (int k = 0; k < 3; k++) {
-                face->corner[k].position += (uint32_t)(copy * positions);
-            }
+    for (size_t i = 0; i < count * faces; i++) {
+        all_faces[i] = model->faces[i % faces];
+        for (int k = 0; k < 3; k++) {
+            all_faces[i].corner[k].position += (uint32_t)(i / faces * positions);
         }
     }
+    free(model->positions);
+    free(model->faces);
+    model->positions = all;
+    model->faces = all_faces;
     model->position_count = count * positions;
     model->face_count = count * faces;
-    return true;
 }
 
 /* The scenes' camera. */
 static bool make_busts(struct error *error) {
     static const struct vec3 backwards = {-0.35, -0.1, -0.9};
     struct model *model = &work.model;
-    if (!bench_read_model(model, "bust.obj", error) ||
-        !repeat_model(model, BUSTS, backwards, error)) {
+    if (!model_read(model, BENCH_MODEL("bust.obj"), error)) {
         return false;
     }
+    repeat_model(model, BUSTS, backwards);
     struct drawing drawing = {
         .model = model,
         .diffuse = model_texture(model, MODEL_DIFFUSE, error),
@@ -238,7 +225,7 @@ static bool setup(struct error *error) {
 static const struct bench_version stage_versions[] = {
     VERSION("9a: simple_draw()", SIMPLE), VERSION("9d: visible first", ONE_BAND),
     VERSION("9d: in bands", BANDS),       VERSION("several pixels at once", CALLED),
-    HOUSE_VERSION("no call", VISIBLE),    HOUSE_VERSION("2 threads", TWO_THREADS + VISIBLE),
+    HOUSE_VERSION("no call", VISIBLE),    HOUSE_VERSION_OF(NULL, "2 threads", VISIBLE, 1),
 };
 
 /* The house's error: a level in a thousand that is not the nearest. */

@@ -167,15 +167,12 @@ static bool pixels_are_right(const void *tried) {
     return right;
 }
 
-static const struct case_kind shader_cases = {.size = sizeof(struct shader_case),
-                                              .make = make_shader_case};
-
 const struct property lesson09_properties[] = {
-    PROPERTY("lesson09: at the corners", AGAINST_LONG_DOUBLE, 200000, shader_cases,
-             .holds = corners_are_right),
-    PROPERTY("lesson09: corners on the screen", AGAINST_LONG_DOUBLE, 100000, shader_cases,
-             .holds = face_is_placed),
-    PROPERTY("lesson09: at the pixels", AGAINST_LONG_DOUBLE, 200000, shader_cases,
-             .holds = pixels_are_right),
+    PROPERTY("lesson09: at the corners", AGAINST_LONG_DOUBLE, 200000, struct shader_case,
+             make_shader_case, .holds = corners_are_right),
+    PROPERTY("lesson09: corners on the screen", AGAINST_LONG_DOUBLE, 100000, struct shader_case,
+             make_shader_case, .holds = face_is_placed),
+    PROPERTY("lesson09: at the pixels", AGAINST_LONG_DOUBLE, 200000, struct shader_case,
+             make_shader_case, .holds = pixels_are_right),
     {.name = NULL},
 };

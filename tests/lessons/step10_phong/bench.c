@@ -187,12 +187,12 @@ static void (*const lights[POWERS])(void) = {
     [SHORT_NORMAL] = light_by_short_normal,
 };
 
-static void run_power(int choice) {
-    lights[choice]();
+static void run_power(struct bench_choice choice) {
+    lights[choice.way]();
 }
 
 /* Root of the mean squared error of a channel. */
-static double error_power(int choice) {
+static double error_power(struct bench_choice choice) {
     double sum = 0;
     (void)choice;
     for (size_t i = 0; i < work.lit_count; i++) {
@@ -365,15 +365,15 @@ static void make_sphere(struct model *model, size_t rows) {
     }
 }
 
-/* The versions: a mesh, and where its normals come from. */
-#define WITH_MAP MESHES
+/* Where the normals come from. */
+enum { OF_MESH, OF_MAP };
 
 static const struct vec3 sphere_eye = {0, 0, 3};
 
-static void run_detail(int choice) {
+static void run_detail(struct bench_choice choice) {
     struct uniforms u = work.sphere;
-    u.model = &work.meshes[choice % MESHES];
-    draw(u.model, sphere_eye, choice < WITH_MAP ? &plain : &mapped, &u, sizeof u);
+    u.model = &work.meshes[choice.on];
+    draw(u.model, sphere_eye, choice.way == OF_MESH ? &plain : &mapped, &u, sizeof u);
 }
 
 /* Where the ray through the centre of a pixel meets the sphere. The camera of draw() shows what
@@ -390,7 +390,7 @@ static bool hit_sphere(int x, int y, struct real3 *hit) {
 }
 
 /* Over the pixels that the mesh covers; it lies within the sphere. */
-static double error_detail(int choice) {
+static double error_detail(struct bench_choice choice) {
     double sum = 0, pixels = 0;
     (void)choice;
     for (int i = 0; i < SIDE * SIDE; i++) {
@@ -416,7 +416,7 @@ static bool make_lit(struct error *error) {
     work.lit.tables[0] = attempt_3_make_table(64, SHARP_POWER);
     work.lit.tables[1] = attempt_3_make_table(257, SHARP_POWER);
     work.lit.tables[2] = attempt_3_make_table(1024, SHARP_POWER);
-    return bench_read_model(&work.bust, "bust.obj", error) &&
+    return model_read(&work.bust, BENCH_MODEL("bust.obj"), error) &&
            model_need_normals(&work.bust, error) && find_highlights(error);
 }
 
@@ -444,33 +444,28 @@ static bool setup(struct error *error) {
 
 /* ---- The panels ---- */
 
-static const char *power_series(int choice) {
-    return choice >= TABLE_64 && choice <= TABLE_1024 ? "table of" : NULL;
-}
-
 static const struct bench_version power_versions[] = {
     VERSION("pow()", POW),
     VERSION("80 multiplications", REPEATED),
     HOUSE_VERSION("integer power, squaring", SQUARED),
-    VERSION("64", TABLE_64),
-    VERSION("257", TABLE_257),
-    VERSION("1,024", TABLE_1024),
+    VERSION_OF("table of", "64", TABLE_64, 0),
+    VERSION_OF("table of", "257", TABLE_257, 0),
+    VERSION_OF("table of", "1,024", TABLE_1024, 0),
     VERSION("Schlick's form", SCHLICK),
     VERSION("normal not renormalised", SHORT_NORMAL),
 };
 
-static const char *detail_series(int choice) {
-    return choice < WITH_MAP ? "normals of the mesh, triangles" : "normal map, triangles";
-}
+static const char mesh_series[] = "normals of the mesh, triangles";
+static const char map_series[] = "normal map, triangles";
 
 static const struct bench_version detail_versions[] = {
-    VERSION("960", 0),
-    VERSION("3,968", 1),
-    VERSION("16,128", 2),
-    VERSION("65,024", 3),
-    HOUSE_VERSION("960", WITH_MAP + 0),
-    HOUSE_VERSION("3,968", WITH_MAP + 1),
-    HOUSE_VERSION("16,128", WITH_MAP + 2),
+    VERSION_OF(mesh_series, "960", OF_MESH, 0),
+    VERSION_OF(mesh_series, "3,968", OF_MESH, 1),
+    VERSION_OF(mesh_series, "16,128", OF_MESH, 2),
+    VERSION_OF(mesh_series, "65,024", OF_MESH, 3),
+    HOUSE_VERSION_OF(map_series, "960", OF_MAP, 0),
+    HOUSE_VERSION_OF(map_series, "3,968", OF_MAP, 1),
+    HOUSE_VERSION_OF(map_series, "16,128", OF_MAP, 2),
 };
 
 static const struct bench_panel bench_panels[] = {
@@ -482,7 +477,6 @@ static const struct bench_panel bench_panels[] = {
      .error = error_power,
      .units = &work.lit_count,
      BENCH_VERSIONS(power_versions),
-     .series = power_series,
      .house_within = 0.05},
     {.title = "A rippled sphere: a finer mesh or a normal map",
      .error_label = "levels, root mean square",
@@ -490,8 +484,7 @@ static const struct bench_panel bench_panels[] = {
      .against = "the true surface, long double",
      .run = run_detail,
      .error = error_detail,
-     BENCH_VERSIONS(detail_versions),
-     .series = detail_series},
+     BENCH_VERSIONS(detail_versions)},
 };
 
 const struct bench_lesson bench_step10 =

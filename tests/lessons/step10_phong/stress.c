@@ -154,12 +154,10 @@ static bool pixels_are_right(const void *tried) {
     return right;
 }
 
-static const struct case_kind phong_cases = {.size = sizeof(struct phong_case), .make = make_phong};
-
 const struct property lesson10_properties[] = {
-    PROPERTY("lesson10: at the corners", AGAINST_LONG_DOUBLE, 100000, phong_cases,
+    PROPERTY("lesson10: at the corners", AGAINST_LONG_DOUBLE, 100000, struct phong_case, make_phong,
              .holds = corners_are_right),
-    PROPERTY("lesson10: at the pixels", AGAINST_LONG_DOUBLE, 200000, phong_cases,
+    PROPERTY("lesson10: at the pixels", AGAINST_LONG_DOUBLE, 200000, struct phong_case, make_phong,
              .holds = pixels_are_right),
     {.name = NULL},
 };

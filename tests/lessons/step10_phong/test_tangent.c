@@ -29,20 +29,14 @@ static struct image draw(struct drawing drawing, size_t way) {
 static void test_ambient(void) {
     const struct material alone = {1, 0, 0, 10, {200, 100, 250}},
                           all = {0.5, 0.5, 0.25, 10, {0, 0, 0}};
-    struct texture diffuse = noise(1), map = noise(2), specular = noise(3), other = noise(4);
-    lay_board((const int[3]){0, 0, 0});
+    struct texture other = noise(4);
+    make_textures();
     for (size_t i = 0; i < 4 * (sizeof shaders / sizeof shaders[0]); i++) {
         size_t way = i / 4;
         bool own = shaders[way] != &plain && shaders[way] != &mapped, is_alone = i % 2 == 0;
-        struct drawing drawing = {.model = &board,
-                                  .diffuse = is_alone && own ? &other : &diffuse,
-                                  .normal_map = &map,
-                                  .specular = &specular,
-                                  .eye = {0.5, 0.25, 2},
-                                  .up = {0, 1, 0},
-                                  .light = {1, 0.5, 0.75},
-                                  .skip = true};
+        struct drawing drawing = board_drawing();
         const struct material material = is_alone || !own ? alone : all;
+        drawing.diffuse = is_alone && own ? &other : &diffuse;
         map.tangent_space = i % 4 > 1;
         struct image expected = draw_of(drawing, way, material);
         drawing.diffuse = &diffuse;
@@ -52,9 +46,7 @@ static void test_ambient(void) {
         image_free(&image);
         image_free(&expected);
     }
-    texture_free(&diffuse);
-    texture_free(&map);
-    texture_free(&specular);
+    free_textures();
     texture_free(&other);
 }
 

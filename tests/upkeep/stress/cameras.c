@@ -301,21 +301,17 @@ static double direction_error(const void *tried) {
            0x1p52;
 }
 
-static const struct case_kind camera_cases = {sizeof(struct camera_case), make_camera};
-static const struct case_kind matrix_cases = {.size = sizeof(struct matrix_case),
-                                              .make = make_matrix};
-static const struct case_kind turn_cases = {.size = sizeof(double), .make = make_turns};
-
 const struct property camera_properties[] = {
-    PROPERTY("camera: orthonormal, finite pixels", AGAINST_BOUNDS, 1000000, camera_cases,
-             .error = frame_error, .limit = 4, .error_unit = "ulp of 1", .holds = camera_is_sound),
-    PROPERTY("camera: axes", AGAINST_LONG_DOUBLE, 300000, camera_cases, .error = axes_error,
-             .limit = 4, .error_unit = "ulp of 1"),
-    PROPERTY("matrix: inverse", AGAINST_FRACTIONS, 300000, matrix_cases, .error = inverse_error,
-             .limit = 4, .error_unit = "eps * condition * entry"),
-    PROPERTY("matrix: singular is reported", AGAINST_INTEGERS, 500000, matrix_cases,
-             .holds = singular_is_reported),
-    PROPERTY("camera: direction of a turn", AGAINST_LONG_DOUBLE, 500000, turn_cases,
+    PROPERTY("camera: orthonormal, finite pixels", AGAINST_BOUNDS, 1000000, struct camera_case,
+             make_camera, .error = frame_error, .limit = 4, .error_unit = "ulp of 1",
+             .holds = camera_is_sound),
+    PROPERTY("camera: axes", AGAINST_LONG_DOUBLE, 300000, struct camera_case, make_camera,
+             .error = axes_error, .limit = 4, .error_unit = "ulp of 1"),
+    PROPERTY("matrix: inverse", AGAINST_FRACTIONS, 300000, struct matrix_case, make_matrix,
+             .error = inverse_error, .limit = 4, .error_unit = "eps * condition * entry"),
+    PROPERTY("matrix: singular is reported", AGAINST_INTEGERS, 500000, struct matrix_case,
+             make_matrix, .holds = singular_is_reported),
+    PROPERTY("camera: direction of a turn", AGAINST_LONG_DOUBLE, 500000, double, make_turns,
              .error = direction_error, .limit = 2, .error_unit = "ulp of 1"),
     {.name = NULL},
 };

@@ -99,7 +99,8 @@ static double any_depth(struct random *random, uint64_t kind) {
     }
 }
 
-void make_layers(struct random *random, uint64_t index, struct layers *layers) {
+void make_layers(struct random *random, uint64_t index, void *made) {
+    struct layers *layers = made;
     for (int i = 0; i < LAYER_COUNT; i++) {
         random_triangle(random, random_bits(random), layers->corner[i]);
         for (int k = 0; k < 3; k++) {

@@ -72,8 +72,9 @@ struct layers {
     double depth[LAYER_COUNT][3];
 };
 
-/* Hostile triangles in depths that are often close or equal; some are copies of earlier ones. */
-void make_layers(struct random *random, uint64_t index, struct layers *layers);
+/* Make struct layers: hostile triangles in depths that are often close or equal; some are copies of
+ * earlier ones. */
+void make_layers(struct random *random, uint64_t index, void *made);
 
 /* The value at a pixel of what is linear on the screen, from those at the corners of a layer. */
 long double layer_value(const struct layers *layers, int layer, const double value[3], int x,

@@ -167,15 +167,12 @@ static bool cut_is_exact(const void *tried) {
     return told == wanted;
 }
 
-static const struct case_kind line_cases = {sizeof(struct line_case), make_line};
-static const struct case_kind short_line_cases = {sizeof(struct line_case), make_short_line};
-static const struct case_kind cut_cases = {sizeof(struct cut_case), make_cut};
-
 const struct property line_properties[] = {
-    PROPERTY("line: nearest pixels", AGAINST_INTEGERS, 1000000, line_cases, .holds = line_is_exact),
-    PROPERTY("line: lesson 1, nearest pixels", AGAINST_INTEGERS, 300000, short_line_cases,
-             .holds = lesson_line_is_exact),
-    PROPERTY("line: lesson 2, cut to the image", AGAINST_INTEGERS, 500000, cut_cases,
-             .holds = cut_is_exact),
+    PROPERTY("line: nearest pixels", AGAINST_INTEGERS, 1000000, struct line_case, make_line,
+             .holds = line_is_exact),
+    PROPERTY("line: lesson 1, nearest pixels", AGAINST_INTEGERS, 300000, struct line_case,
+             make_short_line, .holds = lesson_line_is_exact),
+    PROPERTY("line: lesson 2, cut to the image", AGAINST_INTEGERS, 500000, struct cut_case,
+             make_cut, .holds = cut_is_exact),
     {.name = NULL},
 };

@@ -272,23 +272,16 @@ static bool same_in_every_order(const void *tried) {
     return same;
 }
 
-static const struct case_kind whole_cases = {sizeof(struct soup_case), make_whole};
-static const struct case_kind seen_by_camera_cases = {sizeof(struct soup_case),
-                                                      make_seen_by_camera};
-static const struct case_kind steep_cases = {sizeof(struct soup_case), make_steep};
-static const struct case_kind uncut_cases = {sizeof(struct soup_case), make_uncut};
-static const struct case_kind largest_cases = {sizeof(struct soup_case), make_largest};
-
 const struct property pipeline_properties[] = {
-    PROPERTY("pipeline: the nearest by z/w", AGAINST_FRACTIONS, 15000, whole_cases,
+    PROPERTY("pipeline: the nearest by z/w", AGAINST_FRACTIONS, 15000, struct soup_case, make_whole,
              .error_unit = "ulp of depth", .judge = judge_faces),
-    PROPERTY("pipeline: cut near and far", AGAINST_LONG_DOUBLE, 15000, seen_by_camera_cases,
-             .error_unit = "ulp of depth", .judge = judge_faces),
-    PROPERTY("pipeline: attributes in perspective", AGAINST_LONG_DOUBLE, 15000, steep_cases,
-             .error_unit = "1/256 texel of 1024", .judge = judge_values),
-    PROPERTY("pipeline: same values in every order", AGAINST_ITSELF, 20000, uncut_cases,
-             .holds = same_in_every_order),
-    PROPERTY("pipeline: 16384 pixels wide or high", AGAINST_LONG_DOUBLE, 300, largest_cases,
-             .error_unit = "ulp of depth", .judge = judge_faces),
+    PROPERTY("pipeline: cut near and far", AGAINST_LONG_DOUBLE, 15000, struct soup_case,
+             make_seen_by_camera, .error_unit = "ulp of depth", .judge = judge_faces),
+    PROPERTY("pipeline: attributes in perspective", AGAINST_LONG_DOUBLE, 15000, struct soup_case,
+             make_steep, .error_unit = "1/256 texel of 1024", .judge = judge_values),
+    PROPERTY("pipeline: same values in every order", AGAINST_ITSELF, 20000, struct soup_case,
+             make_uncut, .holds = same_in_every_order),
+    PROPERTY("pipeline: 16384 pixels wide or high", AGAINST_LONG_DOUBLE, 300, struct soup_case,
+             make_largest, .error_unit = "ulp of depth", .judge = judge_faces),
     {.name = NULL},
 };

@@ -42,8 +42,8 @@ static struct random case_random(uint64_t seed, const char *name, uint64_t index
 
 static void make_case(const struct property *property, uint64_t seed, uint64_t index, void *made) {
     struct random random = case_random(seed, property->name, index);
-    memset(made, 0, property->kind->size);
-    property->kind->make(&random, index, made);
+    memset(made, 0, property->size);
+    property->make(&random, index, made);
 }
 
 static bool try_case(const struct property *property, const void *tried, struct tally *tally) {

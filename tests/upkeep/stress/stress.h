@@ -34,17 +34,12 @@ struct tally {
     uint64_t left_out; /* pixels that were not: two answers are too close to tell which is right */
 };
 
-/* Cases of one kind: plain data. */
-struct case_kind {
-    size_t size; /* bytes */
-    void (*make)(struct random *random, uint64_t index, void *made);
-};
-
 struct property {
     const char *name;
     enum against against;
     uint64_t cases; /* of a run of ordinary length */
-    const struct case_kind *kind;
+    size_t size;    /* bytes of a case, which is plain data */
+    void (*make)(struct random *random, uint64_t index, void *made);
     /* Does the property hold for this case? Any of the three that are given must say so: error() is
      * at most `limit` (unless that is 0), holds(), and judge(), which also counts. */
     double (*error)(const void *tried);
@@ -54,9 +49,12 @@ struct property {
     bool (*judge)(const void *tried, struct tally *tally);
 };
 
-/* A property, and by name what it has of error(), holds() and judge(). */
-#define PROPERTY(title, answer, count, of_kind, ...)                                               \
-    { .name = (title), .against = (answer), .cases = (count), .kind = &(of_kind), __VA_ARGS__ }
+/* A property of cases of that type, and by name what it has of error(), holds() and judge(). */
+#define PROPERTY(title, answer, count, type, maker, ...)                                           \
+    {                                                                                              \
+        .name = (title), .against = (answer), .cases = (count), .size = sizeof(type),              \
+        .make = (maker), __VA_ARGS__                                                               \
+    }
 
 /* ---- Triangles of any kind on a small screen ---- */
 

@@ -194,15 +194,12 @@ static double trilinear_error(const void *tried) {
     return error;
 }
 
-static const struct case_kind texture_cases = {.size = sizeof(struct texture_case),
-                                               .make = make_texture};
-
 const struct property texture_properties[] = {
-    PROPERTY("texture: nearest texel", AGAINST_LONG_DOUBLE, 300000, texture_cases,
-             .holds = nearest_is_exact),
-    PROPERTY("texture: bilinear", AGAINST_LONG_DOUBLE, 300000, texture_cases,
+    PROPERTY("texture: nearest texel", AGAINST_LONG_DOUBLE, 300000, struct texture_case,
+             make_texture, .holds = nearest_is_exact),
+    PROPERTY("texture: bilinear", AGAINST_LONG_DOUBLE, 300000, struct texture_case, make_texture,
              .error = bilinear_error, .limit = 1e-10, .error_unit = "level of 255"),
-    PROPERTY("texture: mip-mapped", AGAINST_LONG_DOUBLE, 300000, texture_cases,
+    PROPERTY("texture: mip-mapped", AGAINST_LONG_DOUBLE, 300000, struct texture_case, make_texture,
              .error = trilinear_error, .limit = 1e-10, .error_unit = "level of 255"),
     {.name = NULL},
 };

@@ -162,16 +162,14 @@ static double weight_error(const void *tried) {
     return worst * 0x1p52;
 }
 
-static const struct case_kind triangle_cases = {sizeof(struct triangle_case), make_triangle};
-
 const struct property triangle_properties[] = {
-    PROPERTY("triangle: exact coverage", AGAINST_INTEGERS, 2000000, triangle_cases,
-             .holds = triangle_is_exact),
-    PROPERTY("triangle: lesson 3, exact coverage", AGAINST_INTEGERS, 200000, triangle_cases,
-             .holds = lesson03_is_exact),
-    PROPERTY("triangle: lesson 4, exact coverage", AGAINST_INTEGERS, 200000, triangle_cases,
-             .holds = lesson04_is_exact),
-    PROPERTY("triangle: weights", AGAINST_BOUNDS, 500000, triangle_cases, .error = weight_error,
-             .limit = 4, .error_unit = "ulp of 1"),
+    PROPERTY("triangle: exact coverage", AGAINST_INTEGERS, 2000000, struct triangle_case,
+             make_triangle, .holds = triangle_is_exact),
+    PROPERTY("triangle: lesson 3, exact coverage", AGAINST_INTEGERS, 200000, struct triangle_case,
+             make_triangle, .holds = lesson03_is_exact),
+    PROPERTY("triangle: lesson 4, exact coverage", AGAINST_INTEGERS, 200000, struct triangle_case,
+             make_triangle, .holds = lesson04_is_exact),
+    PROPERTY("triangle: weights", AGAINST_BOUNDS, 500000, struct triangle_case, make_triangle,
+             .error = weight_error, .limit = 4, .error_unit = "ulp of 1"),
     {.name = NULL},
 };
