@@ -35,14 +35,8 @@ static inline void lay_board(const int turns[3]) {
 
 /* A texture of noise. */
 static inline struct texture noise(uint32_t seed) {
-    struct image image = new_image(16, 16, IMAGE_BGR);
     struct texture texture;
-    struct error error;
-    for (size_t i = 0; i < (size_t)16 * 16 * 3; i++) {
-        image.pixels[i] = (uint8_t)next_random(&seed);
-    }
-    CHECK(texture_create(&texture, &image, &error));
-    image_free(&image);
+    random_texture(&texture, 16, 16, IMAGE_BGR, &seed);
     return texture;
 }
 

@@ -24,6 +24,11 @@ double random_real(struct random *random, double least, double most) {
     return least + (most - least) * ((double)(random_bits(random) >> 11) * 0x1p-53);
 }
 
+struct vec3 random_vec3(struct random *random, double reach) {
+    double x = random_real(random, -reach, reach), y = random_real(random, -reach, reach);
+    return (struct vec3){x, y, random_real(random, -reach, reach)};
+}
+
 /* ---- Lines ---- */
 
 static int128 magnitude(int128 a) {

@@ -25,6 +25,7 @@ struct random {
 uint64_t random_bits(struct random *random);
 int64_t random_between(struct random *random, int64_t least, int64_t most); /* both inclusive */
 double random_real(struct random *random, double least, double most);
+struct vec3 random_vec3(struct random *random, double reach); /* each from -reach to reach */
 
 /* ---- Lines ---- */
 

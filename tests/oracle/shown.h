@@ -1,6 +1,6 @@
 /*
- * For tests of the pipeline: a frame of one draw call, and pictures that show a varying to the last
- * bit, as the bits of its `real` in the four bytes of a pixel (or of two pixels, for doubles).
+ * For tests of the pipeline: small models made in memory, and pictures that show a varying to the
+ * last bit, as the bits of its `real` in the four bytes of a pixel (or of two pixels, for doubles).
  */
 #ifndef TESTS_SHOWN_H
 #define TESTS_SHOWN_H
@@ -8,6 +8,29 @@
 #include "pipeline.h"
 
 #include <string.h>
+
+static inline void set_corners(struct face *face, uint32_t a, uint32_t b, uint32_t c) {
+    *face = (struct face){
+        {{a, MODEL_NONE, MODEL_NONE}, {b, MODEL_NONE, MODEL_NONE}, {c, MODEL_NONE, MODEL_NONE}}};
+}
+
+/* A model of positions and faces alone. `corners` are the positions of each face; NULL: those of
+ * face i are 3 i to 3 i + 2. */
+static inline struct model plain_model(struct vec3 *positions, size_t position_count,
+                                       struct face *faces, size_t face_count,
+                                       const uint32_t (*corners)[3]) {
+    for (uint32_t i = 0; i < face_count; i++) {
+        if (corners != NULL) {
+            set_corners(&faces[i], corners[i][0], corners[i][1], corners[i][2]);
+        } else {
+            set_corners(&faces[i], 3 * i, 3 * i + 1, 3 * i + 2);
+        }
+    }
+    return (struct model){.positions = positions,
+                          .position_count = position_count,
+                          .faces = faces,
+                          .face_count = face_count};
+}
 
 /* How many pixels it takes to show the bits of a number. */
 enum { REAL_PARTS = sizeof(real) / sizeof(uint32_t) };
@@ -39,14 +62,6 @@ static inline double shown_real(const struct image parts[REAL_PARTS], size_t pix
     }
     memcpy(&value, words, sizeof value);
     return (double)value;
-}
-
-static inline bool draw_frame(struct pipeline *pipeline, const struct draw_call *call,
-                              const struct shader *shader, const void *uniforms, size_t size,
-                              struct image *image, struct error *error) {
-    pipeline_clear(pipeline);
-    return pipeline_draw(pipeline, call, shader, uniforms, size, error) &&
-           pipeline_finish(pipeline, image, error);
 }
 
 #endif

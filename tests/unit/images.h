@@ -3,6 +3,7 @@
 #define TESTS_IMAGES_H
 
 #include "base/bytes.h"
+#include "texture.h"
 #include "tgaimage.h"
 #include "unit/unit.h"
 
@@ -70,6 +71,26 @@ static inline struct image new_image(size_t width, size_t height, enum image_for
         exit(1);
     }
     return image;
+}
+
+/* An image of so many levels, at least 2, in no order; the caller frees it. */
+static inline struct image random_image(size_t width, size_t height, enum image_format format,
+                                        uint32_t levels, uint32_t *state) {
+    struct image image = new_image(width, height, format);
+    for (size_t i = 0; i < width * height * (size_t)format; i++) {
+        image.pixels[i] = (uint8_t)(next_random(state) % levels * 255 / (levels - 1));
+    }
+    return image;
+}
+
+/* A texture of such an image; the caller frees it. */
+static inline bool random_texture(struct texture *texture, size_t width, size_t height,
+                                  enum image_format format, uint32_t *state) {
+    struct image image = random_image(width, height, format, 256, state);
+    struct error error;
+    bool done = CHECK(texture_create(texture, &image, &error));
+    image_free(&image);
+    return done;
 }
 
 /* Of its own, with the same pixels; the caller frees it. */

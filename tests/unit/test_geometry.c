@@ -49,8 +49,7 @@ static void test_normalized_components(void) {
 static void test_renormalized(void) {
     struct random random = {7};
     for (int i = 0; i < 1000; i++) {
-        struct vec3 v = {random_real(&random, -1, 1), random_real(&random, -1, 1),
-                         random_real(&random, -1, 1)};
+        struct vec3 v = random_vec3(&random, 1);
         struct vec3 nearly = vec3_scale(vec3_normalized(v), 1 + random_real(&random, -1e-9, 1e-9));
         CHECK(component_error(vec3_renormalized(nearly), v) <= 2);
     }

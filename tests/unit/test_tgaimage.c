@@ -12,15 +12,6 @@
 
 #include <math.h>
 
-static struct image random_image(size_t width, size_t height, enum image_format format,
-                                 uint32_t levels, uint32_t *state) {
-    struct image image = new_image(width, height, format);
-    for (size_t i = 0; i < width * height * (size_t)format; i++) {
-        image.pixels[i] = (uint8_t)(next_random(state) % levels * 255 / (levels - 1));
-    }
-    return image;
-}
-
 /* ---- Images ---- */
 
 static void test_create(void) {

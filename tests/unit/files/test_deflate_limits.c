@@ -360,8 +360,8 @@ static void test_empty_blocks(void) {
 
 /* ---- Streams that the compressor makes ---- */
 
-/* One byte; noise; bits; the words of a small language; far repetitions with changes; each value
- * half as frequent as the one before. */
+/* One byte; noise; bits; the words of a small language; repetitions with changes, some of them
+ * from about as far as the format has distances; each value half as frequent as the one before. */
 enum data_kind { SAME, NOISE, BITS, WORDS, FAR, STEEP, DATA_KINDS };
 
 static void fill_data(uint8_t *data, size_t size, enum data_kind kind) {
@@ -373,6 +373,7 @@ static void fill_data(uint8_t *data, size_t size, enum data_kind kind) {
         length = length < left ? length : left;
         if (kind == FAR && i > 2000 && number % 4 != 0) {
             size_t distance = 1 + next_random(&state) % (i < 32768 ? i - 1000 : 31000);
+            distance = i > 32800 && number % 8 == 1 ? 32765 + distance % 7 : distance;
             memmove(data + i, data + i - distance, length);
             i += length;
         } else if (kind == WORDS) {
@@ -406,10 +407,10 @@ static void test_compress(void) {
                                    257, 258, 259, 2900, 32768, 140000, 300000};
     enum { LIMIT = 300000 };
     /* Bytes of the largest stream, not one more than they are. With the best codes they would be
-     * 318, 302815, 1472, 47732, 53796 and 17890. */
+     * 318, 302815, 1472, 47732, 57051 and 17890. */
     static const size_t most[DATA_KINDS] = {
         [SAME] = 319,    [NOISE] = 302815, [BITS] = 1472,
-        [WORDS] = 47769, [FAR] = 53808,    [STEEP] = 17894,
+        [WORDS] = 47769, [FAR] = 57113,    [STEEP] = 17894,
     };
     static uint8_t plain[LIMIT];
     for (int kind = 0; kind < DATA_KINDS; kind++) {
@@ -431,23 +432,6 @@ static void test_compress(void) {
             CHECK(size < LIMIT || packed.size <= most[kind]);
             bytes_free(&packed);
         }
-    }
-}
-
-/* Copies from just about the longest distance that the format has. */
-static void test_compress_far_copies(void) {
-    enum { COPY = 100, SIZE = 32768 + 10 + COPY };
-    static uint8_t plain[SIZE];
-    for (size_t distance = 32768 - 3; distance <= 32768 + 3; distance++) {
-        struct bytes packed = {0};
-        struct error error;
-        uint32_t state = 7;
-        for (size_t i = 0; i < SIZE; i++) {
-            plain[i] = i < distance ? (uint8_t)next_random(&state) : plain[i - distance];
-        }
-        CHECK(zlib_compress(plain, distance + COPY, &packed, &error));
-        CHECK(gives(packed.data, packed.size, plain, distance + COPY, &error));
-        bytes_free(&packed);
     }
 }
 
@@ -477,5 +461,4 @@ static void test_limit_of_codes(void) {
 
 UNIT_MAIN(TEST(test_right_blocks), TEST(test_wrong_blocks), TEST(test_stored_after_others),
           TEST(test_matches_near_end), TEST(test_long_codes), TEST(test_zlib_header),
-          TEST(test_empty_blocks), TEST(test_compress), TEST(test_compress_far_copies),
-          TEST(test_limit_of_codes))
+          TEST(test_empty_blocks), TEST(test_compress), TEST(test_limit_of_codes))

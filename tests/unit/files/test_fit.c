@@ -2,6 +2,7 @@
 #include "files/fit.h"
 
 #include "oracle/oracle.h"
+#include "oracle/shown.h"
 #include "unit/unit.h"
 
 enum { CORNERS = 12 };
@@ -15,15 +16,11 @@ struct cloud {
 /* Corners in a box of that size around `middle`, and a position that no face names. */
 static void make_cloud(struct cloud *cloud, struct vec3 middle, struct vec3 size,
                        struct random *random) {
-    cloud->model = (struct model){.positions = cloud->positions,
-                                  .position_count = CORNERS + 1,
-                                  .faces = cloud->faces,
-                                  .face_count = CORNERS / 3};
-    for (uint32_t i = 0; i < CORNERS; i++) {
-        cloud->positions[i] = (struct vec3){middle.x + size.x * random_real(random, -1, 1),
-                                            middle.y + size.y * random_real(random, -1, 1),
-                                            middle.z + size.z * random_real(random, -1, 1)};
-        cloud->faces[i / 3].corner[i % 3] = (struct corner){i, MODEL_NONE, MODEL_NONE};
+    cloud->model = plain_model(cloud->positions, CORNERS + 1, cloud->faces, CORNERS / 3, NULL);
+    for (size_t i = 0; i < CORNERS; i++) {
+        struct vec3 p = random_vec3(random, 1);
+        cloud->positions[i] = (struct vec3){middle.x + size.x * p.x, middle.y + size.y * p.y,
+                                            middle.z + size.z * p.z};
     }
     cloud->positions[CORNERS] = (struct vec3){1e30, -1e30, 5};
 }

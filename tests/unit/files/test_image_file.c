@@ -9,13 +9,7 @@
 #include "unit/images.h"
 #include "unit/place.h"
 
-static struct image make_image(enum image_format format, uint8_t first) {
-    struct image image = new_image(3, 2, format);
-    for (size_t i = 0; i < 6 * (size_t)format; i++) {
-        image.pixels[i] = (uint8_t)(first + 9 * i);
-    }
-    return image;
-}
+static uint32_t state = 5;
 
 /* ---- Reading ---- */
 
@@ -28,7 +22,7 @@ static void test_signature_decides(void) {
     struct place place = place_create();
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
         name_file(&place, rows[i].name);
-        struct image image = make_image(IMAGE_BGRA, 5), again;
+        struct image image = random_image(3, 2, IMAGE_BGRA, 256, &state), again;
         struct error error;
         CHECK_ROW(rows[i].write(&image, place.path, &error), rows[i].name);
         if (CHECK_ROW(image_read(&again, place.path, &error), rows[i].name)) {
@@ -87,7 +81,10 @@ static void test_wrong_files(void) {
         snprintf(expected, sizeof expected, "%s: %s", place.path, rows[i].message);
         CHECK_TEXT(error.message, expected);
     }
-    place_remove(&place, "picture.tga");
+    struct image image = {.width = 7};
+    struct error error;
+    CHECK(unlink(place.path) == 0 && !image_read(&image, place.path, &error) && image.width == 0);
+    place_remove(&place, NULL);
 }
 
 /* ---- Formats ---- */
@@ -137,7 +134,7 @@ static void test_writers(void) {
         const struct image_file_format *format = image_file_format_find(rows[i].format);
         struct place place = place_create();
         name_file(&place, "picture");
-        struct image image = make_image(IMAGE_BGR, 1), empty = {0};
+        struct image image = random_image(3, 2, IMAGE_BGR, 256, &state), empty = {0};
         struct bytes file = {0};
         struct error error;
         char nowhere[80];

@@ -4,7 +4,7 @@
 #include "files/normals.h"
 #include "oracle/oracle.h"
 #include "oracle/reals.h"
-#include "unit/frames.h"
+#include "oracle/shown.h"
 #include "unit/models.h"
 
 #include <math.h>
@@ -15,12 +15,8 @@ static int random_int(int least, int most) { /* both inclusive */
     return (int)random_between(&random_state, least, most);
 }
 
-static double random_unit(void) { /* -1..1 */
-    return random_real(&random_state, -1, 1);
-}
-
 static struct vec3 random_vector(double scale) {
-    return (struct vec3){scale * random_unit(), scale * random_unit(), scale * random_unit()};
+    return random_vec3(&random_state, scale);
 }
 
 /* ---- Normals ---- */

@@ -303,9 +303,7 @@ static void test_chosen_polygons(void) {
         char triangles[100];
         CHECK_ROW(polygon_cut(&cutter, rows[i].corners, rows[i].size) == POLYGON_CUT, rows[i].name);
         describe(&cutter, triangles, sizeof triangles);
-        if (!CHECK_TEXT(triangles, rows[i].triangles)) {
-            fprintf(stderr, "    in row: %s\n", rows[i].name);
-        }
+        CHECK_ROW(CHECK_TEXT(triangles, rows[i].triangles), rows[i].name);
     }
     polygon_cutter_free(&cutter);
     CHECK(cutter.triangles == NULL && cutter.triangle_count == 0 && cutter.nodes == NULL);

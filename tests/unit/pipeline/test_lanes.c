@@ -1,7 +1,7 @@
 /* lanes.h against plain C, number by number; texture_lanes.h against texture_bilinear(). */
 #include "oracle/oracle.h"
 #include "pipeline/texture_lanes.h"
-#include "unit/unit.h"
+#include "unit/images.h"
 
 #include <stdlib.h>
 
@@ -194,12 +194,6 @@ static void test_colors(void) {
 
 /* ---- Textures ---- */
 
-static void fill(struct image *image, struct random *random) {
-    for (size_t i = 0; i < image->width * image->height * image->format; i++) {
-        image->pixels[i] = (uint8_t)random_bits(random);
-    }
-}
-
 enum { LARGEST = 8 }; /* coordinate that has a fraction */
 
 /* Corners, edges, texel centres and borders, outside, far outside, nowhere. */
@@ -265,22 +259,11 @@ static bool sample_is_right(const struct texture *texture, size_t level, struct 
     return right;
 }
 
-static bool make_texture(struct texture *texture, size_t width, size_t height,
-                         struct random *random) {
-    struct error error;
-    struct image image;
-    if (!CHECK(image_create(&image, width, height, IMAGE_BGR, &error))) {
-        return false;
-    }
-    fill(&image, random);
-    bool made = CHECK(texture_create(texture, &image, &error));
-    image_free(&image);
-    return made;
-}
+static uint32_t texture_state = 95;
 
 static void check_texture(size_t width, size_t height, struct random *random) {
     struct texture texture = {0};
-    bool right = make_texture(&texture, width, height, random);
+    bool right = random_texture(&texture, width, height, IMAGE_BGR, &texture_state);
     for (int round = 0; right && round < 200; round++) {
         struct numbers u, v;
         for (int i = 0; i < LANES; i++) {
@@ -307,12 +290,11 @@ static void test_textures(void) {
 /* A place is found again where the texture has another size, or clamps and the last one did not. */
 static void test_places_of_two_sizes(void) {
     static const size_t sizes[][2] = {{4, 8}, {8, 8}, {8, 4}, {8, 8}, {8, 8}, {8, 8}};
-    struct random random = {96};
     struct lanes2 uv = {lanes_from(0) * 0.05f, 1 - lanes_from(0) * 0.03f};
     struct texel_place place = {0};
     for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++) {
         struct texture texture = {0};
-        if (!CHECK(make_texture(&texture, sizes[i][0], sizes[i][1], &random))) {
+        if (!random_texture(&texture, sizes[i][0], sizes[i][1], IMAGE_BGR, &texture_state)) {
             return;
         }
         texture_set_clamp(&texture, i == 5);

@@ -1,10 +1,13 @@
 /* The pipeline against independent answers: perspective, clipping, what is left out, and how.
  * (Which face shows at which pixel, and each pixel once: test_borders.c.) */
+#define _XOPEN_SOURCE 700 /* place.h */
 #include "oracle/oracle.h"
 #include "unit/frames.h"
 #include "unit/images.h"
+#include "unit/place.h"
 
 #include <stdlib.h>
+#include <time.h>
 
 enum { SIZE = 32, FACES = 24, MESH_LIMIT = 15000 };
 
@@ -448,6 +451,25 @@ static void test_far_apart(void) {
     target_free(&target);
 }
 
+/* Threads end with their pipeline, soon. (Where none are listed, nothing is counted.) */
+static void test_threads_end(void) {
+    static struct mesh mesh;
+    const struct place threads = {.directory = "/proc/self/task"};
+    const struct timespec pause = {.tv_nsec = 1000000};
+    size_t before = place_count(&threads);
+    make_cover(&mesh, 1);
+    if (frame_begin(0)) {
+        pipeline_use_threads(&target.pipeline, 4);
+        frame_draw(&mesh, place_is_xyw, &number_shader);
+        frame_finish();
+    }
+    target_free(&target);
+    for (int i = 0; i < 1000 && place_count(&threads) > before; i++) {
+        nanosleep(&pause, NULL);
+    }
+    CHECK(place_count(&threads) <= before);
+}
+
 static void test_errors(void) {
     struct error error;
     struct pipeline pipeline;
@@ -462,4 +484,5 @@ static void test_errors(void) {
 UNIT_MAIN(TEST(test_face_past_a_corner), TEST(test_object_too_large_to_judge), TEST(test_prepared),
           TEST(test_cut_from_both_ends), TEST(test_nearest_w), TEST(test_depth_overflows),
           TEST(test_clipped_in_every_block), TEST(test_scale_of_clip_space), TEST(test_grid_cell),
-          TEST(test_not_finite), TEST(test_wrapped_level), TEST(test_far_apart), TEST(test_errors))
+          TEST(test_not_finite), TEST(test_wrapped_level), TEST(test_far_apart),
+          TEST(test_threads_end), TEST(test_errors))

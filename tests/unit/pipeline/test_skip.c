@@ -286,11 +286,6 @@ static void test_rounds(void) {
     }
 }
 
-static struct vec3 any_place(struct random *random, double side) {
-    return (struct vec3){random_real(random, -side, side), random_real(random, -side, side),
-                         random_real(random, -side, side)};
-}
-
 /* Walls and tetrahedra of any size, turned in any way, all around the camera: boxes that reach the
  * near plane or the guard band, or lie askew, say no more than is true of the model. */
 static void test_askew(void) {
@@ -303,15 +298,15 @@ static void test_askew(void) {
     uint64_t hidden = 0, clipped = 0, outside = 0;
     CHECK(trial_begin(&trial));
     for (int frame = 0; frame < 250; frame++) {
-        struct mat4 camera = camera_at(any_place(&random, 3), any_place(&random, 1));
+        struct mat4 camera = camera_at(random_vec3(&random, 3), random_vec3(&random, 1));
         scene = (struct scene){.name = "askew"};
         for (int i = 0; i < 80; i++) {
             double size = random_real(&random, 0.05, 1.2) * random_real(&random, 0.1, 1);
-            add_object(&scene, i % 3 > 0 ? &tetrahedron : &wall, camera, any_place(&random, 3),
+            add_object(&scene, i % 3 > 0 ? &tetrahedron : &wall, camera, random_vec3(&random, 3),
                        size);
             struct mat4 *to_clip = &scene.objects[i].to_clip;
             *to_clip = mat4_mul(*to_clip,
-                                mat4_rotation(any_place(&random, 1), random_real(&random, 0, 1)));
+                                mat4_rotation(random_vec3(&random, 1), random_real(&random, 0, 1)));
         }
         const uint64_t *stats = compare(&trial, &scene, (enum cull)(frame % 3), shaders[frame % 3]);
         check_counters(&scene, stats, trial.all.stats);
@@ -347,11 +342,11 @@ static void test_within_roundings_of_a_wall(void) {
         scene = (struct scene){.name = "within roundings of a wall"};
         add_object(&scene, &wall, mat4_identity(), (struct vec3){0, 0, depth}, 1);
         for (int i = 0; i < TRIANGLES; i++) {
-            struct vec3 center = any_place(&random, 1e6);
+            struct vec3 center = random_vec3(&random, 1e6);
             struct mat4 m = {{{0}}};
             make_row(m.m[0], (struct vec3){1, 0, 0}, center, 0);
             make_row(m.m[1], (struct vec3){0, 1, 0}, center, 0);
-            make_row(m.m[3], any_place(&random, 0.3), center, 1);
+            make_row(m.m[3], random_vec3(&random, 0.3), center, 1);
             for (int k = 0; k < 4; k++) {
                 m.m[2][k] = depth * m.m[3][k];
             }
@@ -423,10 +418,10 @@ static void scatter_batches(struct model *soup, struct random *random) {
         if (i % (3 * BATCH) == 0) {
             static const size_t which[] = {0, 1, BATCH - 2, BATCH - 1, BATCH, BATCH};
             large = which[random_bits(random) % 6];
-            center = any_place(random, 0.8);
+            center = random_vec3(random, 0.8);
         }
         double size = face == large ? 0.5 : large == BATCH ? 0.15 : 0.001;
-        soup->positions[i] = vec3_add(center, any_place(random, size));
+        soup->positions[i] = vec3_add(center, random_vec3(random, size));
     }
 }
 
@@ -443,13 +438,13 @@ static void test_scattered_batches(void) {
         scatter_batches(&soups[i], &random);
     }
     for (int frame = 0; frame < 40; frame++) {
-        struct mat4 camera = camera_at(any_place(&random, 3), any_place(&random, 1));
+        struct mat4 camera = camera_at(random_vec3(&random, 3), random_vec3(&random, 1));
         const struct model *model = &wall;
         scene = (struct scene){.name = "scattered batches"};
         for (int i = 0; i < 60; i++) {
             uint64_t other = random_bits(&random) % 24;
             model = other < 3 ? &soups[other] : other < 6 ? &wall : model;
-            add_object(&scene, model, camera, any_place(&random, 3), 0.7);
+            add_object(&scene, model, camera, random_vec3(&random, 3), 0.7);
         }
         pipeline_use_threads(&trial.pipeline, (size_t)(1 + frame % 4));
         const uint64_t *stats = compare(&trial, &scene, CULL_NONE, &smooth);

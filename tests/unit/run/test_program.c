@@ -476,12 +476,19 @@ static void test_live(void) {
     CHECK(draw_calls == 3);
     CHECK(run_with_input(&dot_program, "--live", "--only film --probe 1,0\n") == 0);
     CHECK(last_drawing.probed && last_drawing.probe.x == 1 && last_drawing.probe.y == 0);
+    CHECK(run_with_input(&dot_program, "--live", "--probe 16384,0\n") == 0);
+    CHECK(strstr(output, "\nerror --probe wants a pixel X,Y") != NULL);
+    CHECK(run_with_input(&text_program, "--live", "text\nline 2 0 4 0 10 20 30\nend\n") == 0);
+    CHECK(strstr(output, "\nframe 5 5 ") != NULL);
 }
 
 /* What --live says first. */
 static void test_description(void) {
-    static const struct scene scene = {.name = "dot", .width = 4, .height = 3, .draw = draw_dot};
-    const struct program program = with_scenes(&dot_program, &scene, 1);
+    static const struct scene two_scenes[] = {
+        {.name = "dot", .width = 4, .height = 3, .draw = draw_dot},
+        {.name = "model", .needs = NEEDS_MODEL, .light = {0, 0, 1}, .eye = {0, 0, 3}},
+    };
+    const struct program program = with_scenes(&dot_program, two_scenes, 2);
     char *text = NULL;
     size_t size;
     FILE *out = open_memstream(&text, &size);
@@ -490,7 +497,8 @@ static void test_description(void) {
         fclose(out);
         CHECK_TEXT(text,
                    "{\"program\":\"probe\",\"scenes\":[{\"name\":\"dot\",\"width\":4,\"height\":3,"
-                   "\"frames\":1}]}\n");
+                   "\"frames\":1},{\"name\":\"model\",\"width\":0,\"height\":0,\"frames\":1,"
+                   "\"light\":[0,0,1],\"eye\":[0,0,3],\"center\":[0,0,0],\"up\":[0,0,0]}]}\n");
         free(text);
     }
 }
@@ -560,9 +568,9 @@ static bool draw_materials(struct drawing *drawing, struct image *image, struct 
     size_t count = 0;
     for (; drawing_take_part(drawing, count); count++) {
         size_t length = strlen(parts);
-        snprintf(parts + length, sizeof parts - length, "%zu %06X %g %g;",
+        snprintf(parts + length, sizeof parts - length, "%zu %06X %g %g%s;",
                  drawing->model->face_count, drawing->diffuse->level[0].texels[0] & 0xFFFFFF,
-                 drawing->specular_weight, drawing->power);
+                 drawing->specular_weight, drawing->power, drawing->ambient != NULL ? " Ka" : "");
         CHECK(drawing->specular->level_count > 0);
     }
     CHECK_TEXT(parts, expected_parts);
@@ -648,9 +656,9 @@ static void test_replaced(void) {
               0, PICTURES);
     /* Materials: each part with its colour or its texture, also in the next scene. */
     two_scenes[0].draw = two_scenes[1].draw = draw_materials;
-    put_file("m.mtl", "newmtl a\nKd 0 0 1\nKs 0.25 0.5 0.75\nNs 30\n");
+    put_file("m.mtl", "newmtl a\nKd 0 0 1\nKa 0 1 0\nKs 0.25 0.5 0.75\nNs 30\n");
     put_file("wild2.obj", "mtllib m.mtl\nusemtl a\n" MAPPED);
-    expected_parts = "1 0000FF 0.5 30;";
+    expected_parts = "1 0000FF 0.5 30 Ka;";
     CHECK_RUN(&program, "-o out wild2.obj", 0, PICTURES);
     put_file("m.mtl", "newmtl b\nKd 1 0 0\nnewmtl a\nKd 0 0 1\nmap_Kd given.tga\n");
     put_file("wild3.obj", "mtllib m.mtl\nf 1 2 3\nusemtl a\nf 1 2 3\nusemtl b\n" MAPPED);

@@ -13,35 +13,12 @@
 #include "files/deflate.h"
 #include "fuzz.h"
 #include "image_properties.h"
+#include "unit/chunks.h"
 
 /* Deflate makes at most 1032 bytes of one; one such byte may hold 8 pixels of 4 bytes, once as rows
  * and once as an image. */
 enum { PNG_GROWTH = 1032 * (1 + 8 * 4) + 8 };
 enum { SLOW_SIZE = 1 << 16 }; /* pixels; larger images are only read */
-
-static const uint8_t signature[8] = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
-
-/* The checksum of a chunk, bit by bit (the specification's annex D). */
-static uint32_t checksum(const uint8_t *data, size_t size) {
-    uint32_t crc = 0xffffffff;
-    for (size_t i = 0; i < size; i++) {
-        crc ^= data[i];
-        for (int bit = 0; bit < 8; bit++) {
-            crc = crc >> 1 ^ (crc & 1 ? 0xedb88320 : 0);
-        }
-    }
-    return crc ^ 0xffffffff;
-}
-
-static uint32_t get_number(const uint8_t *bytes) {
-    return (uint32_t)bytes[0] << 24 | (uint32_t)bytes[1] << 16 | (uint32_t)bytes[2] << 8 | bytes[3];
-}
-
-static void put_number(uint8_t *bytes, uint32_t value) {
-    for (int i = 0; i < 4; i++) {
-        bytes[i] = (uint8_t)(value >> (24 - 8 * i));
-    }
-}
 
 static bool decode(const uint8_t *data, size_t size) {
     struct error error = no_error();
@@ -65,11 +42,14 @@ static bool decode(const uint8_t *data, size_t size) {
 
 static void repair_checksums(uint8_t *file, size_t size) {
     for (size_t at = sizeof signature; size - at >= 12;) {
-        uint32_t length = get_number(file + at);
+        uint32_t length = get_32(file + at);
         if (length > size - at - 12) {
             return;
         }
-        put_number(file + at + 8 + length, checksum(file + at + 4, 4 + length));
+        uint32_t crc = slow_crc(file + at + 4, 4 + (size_t)length);
+        for (size_t i = 0; i < 4; i++) {
+            file[at + 8 + length + i] = (uint8_t)(crc >> (24 - 8 * i));
+        }
         at += 12 + length;
     }
 }
@@ -107,16 +87,6 @@ static void try_pixels(const uint8_t *data, size_t size) {
     image_free(&image);
 }
 
-static void add_chunk(struct bytes *file, const char *type, const uint8_t *data, size_t size) {
-    uint8_t number[4];
-    put_number(number, (uint32_t)size);
-    REQUIRE(bytes_append(file, number, 4));
-    size_t start = file->size;
-    REQUIRE(bytes_append(file, type, 4) && bytes_append(file, data, size));
-    put_number(number, checksum(file->data + start, file->size - start));
-    REQUIRE(bytes_append(file, number, 4));
-}
-
 /* Bytes 1, 2: width, height; 3: depth; 4: colour type, and 128 more where it is interlaced;
  * 5: colours of the palette; 6: bytes of the
  * tRNS chunk; then the palette, the tRNS chunk, and rows. */
@@ -130,22 +100,19 @@ static void try_rows(const uint8_t *data, size_t size) {
     if (size - HEADER < palette_size + clear_size) {
         return;
     }
-    uint8_t header[13] = {[3] = data[1], [7] = data[2], [8] = data[3], [9] = data[4] & 127};
-    header[12] = data[4] >> 7; /* interlaced */
     const uint8_t *palette = data + HEADER, *clear = palette + palette_size;
     const uint8_t *rows = clear + clear_size;
     struct bytes file = {0}, pixels = {0};
     REQUIRE(zlib_compress(rows, (size_t)(data + size - rows), &pixels, &error));
-    REQUIRE(bytes_append(&file, signature, sizeof signature));
-    add_chunk(&file, "IHDR", header, sizeof header);
+    put_header(&file, data[1], data[2], data[3], data[4] & 127, data[4] >> 7);
     if (palette_size > 0) {
-        add_chunk(&file, "PLTE", palette, palette_size);
+        put_chunk(&file, "PLTE", palette, palette_size);
     }
     if (clear_size > 0) {
-        add_chunk(&file, "tRNS", clear, clear_size);
+        put_chunk(&file, "tRNS", clear, clear_size);
     }
-    add_chunk(&file, "IDAT", pixels.data, pixels.size);
-    add_chunk(&file, "IEND", NULL, 0);
+    put_chunk(&file, "IDAT", pixels.data, pixels.size);
+    put_chunk(&file, "IEND", NULL, 0);
     decode(file.data, file.size);
     bytes_free(&file);
     bytes_free(&pixels);

@@ -181,13 +181,7 @@ static bool camera_draws_finite_pixels(const void *tried) {
     struct camera_case c = *(const struct camera_case *)tried;
     static const uint32_t corners[4][3] = {{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {2, 3, 0}};
     struct face faces[4];
-    for (int i = 0; i < 4; i++) {
-        for (int k = 0; k < 3; k++) {
-            faces[i].corner[k] = (struct corner){corners[i][k], MODEL_NONE, MODEL_NONE};
-        }
-    }
-    struct model model = {
-        .positions = c.corner, .position_count = 4, .faces = faces, .face_count = 4};
+    struct model model = plain_model(c.corner, 4, faces, 4, corners);
     struct error error;
     struct pipeline pipeline;
     uint8_t pixels[SIZE * SIZE * 3] = {0};
@@ -200,7 +194,8 @@ static bool camera_draws_finite_pixels(const void *tried) {
     }
     pipeline.keep_depth = true;
     bool done =
-        draw_frame(&pipeline, &call, &finite_shader, &uniforms, sizeof(void *), &image, &error);
+        pipeline_draw(&pipeline, &call, &finite_shader, &uniforms, sizeof(void *), &error) &&
+        pipeline_finish(&pipeline, &image, &error);
     bool all_finite = true;
     for (int i = 0; done && i < SIZE * SIZE; i++) {
         all_finite = all_finite && pixels[3 * i] != NOT_FINITE &&

@@ -72,8 +72,7 @@ long double exact_power(long double base, int power) {
 struct vec3 random_direction(struct random *random) {
     struct vec3 v;
     do {
-        v = (struct vec3){random_real(random, -1, 1), random_real(random, -1, 1),
-                          random_real(random, -1, 1)};
+        v = random_vec3(random, 1);
     } while (vec3_dot(v, v) > 1 || vec3_dot(v, v) < 0.01);
     return vec3_scale(v, 1 / sqrt(vec3_dot(v, v)));
 }

@@ -17,6 +17,7 @@
 MAKE_SOUPS(make_whole, SOUP_WHOLE, SOUP_WHOLE)
 MAKE_SOUPS(make_seen_by_camera, SOUP_CAMERA, SOUP_CAMERA)
 MAKE_SOUPS(make_steep, SOUP_STEEP, SOUP_CAMERA)
+MAKE_SOUPS(make_uncut, SOUP_WHOLE, SOUP_STEEP)
 MAKE_SOUPS(make_largest, SOUP_WIDE, SOUP_HIGH)
 
 /* ---- Drawing a soup ---- */
@@ -33,8 +34,9 @@ struct soup_uniforms {
 
 static void soup_vertex(const void *uniforms, size_t face, size_t corner, double *varyings) {
     const struct soup_uniforms *u = uniforms;
-    varyings[0] = (double)(u->first_face + face + 1);
-    varyings[1] = u->soup->value[3 * (u->first_face + face) + corner];
+    uint32_t position = u->soup->faces[u->first_face + face].corner[corner].position;
+    varyings[0] = (double)(position / 3 + 1);
+    varyings[1] = u->soup->value[position];
 }
 
 /* Transparent on purpose: the pipeline must not make it opaque. */
@@ -235,6 +237,41 @@ static bool judge_values(const void *tried, struct tally *tally) {
     return right;
 }
 
+/* Faces in another order, each beginning with another corner. */
+static void shuffle(struct soup *soup, struct random *random) {
+    for (size_t i = SOUP_FACES; i-- > 0;) {
+        struct face *other = &soup->faces[random_bits(random) % (i + 1)], kept = *other;
+        size_t turn = random_bits(random) % 3;
+        *other = soup->faces[i];
+        for (size_t k = 0; k < 3; k++) {
+            soup->faces[i].corner[k] = kept.corner[(k + turn) % 3];
+        }
+    }
+}
+
+/* Every bit of the values stays, of whole faces and where no two are equally near. */
+static bool same_in_every_order(const void *tried) {
+    const struct soup_case *c = tried;
+    struct random random = {c->seed};
+    struct soup soup;
+    struct drawing drawing, other = {0};
+    soup_make(&soup, c->seed, (enum soup_kind)c->kind);
+    bool same = drawing_create(&drawing, soup.width, soup.height, c->seed) &&
+                draw_values(&drawing, &soup, c->seed);
+    shuffle(&soup, &random);
+    same = same && drawing_create(&other, soup.width, soup.height, random_bits(&random)) &&
+           draw_values(&other, &soup, random_bits(&random));
+    for (size_t i = 0; same && i < soup.width * soup.height; i++) {
+        if (shown_real(drawing.bits, i) != shown_real(other.bits, i)) {
+            struct soup_seen seen = soup_see(&soup, (int)(i % soup.width), (int)(i / soup.width));
+            same = soup_candidates(&soup, &seen) > 1;
+        }
+    }
+    drawing_free(&drawing);
+    drawing_free(&other);
+    return same;
+}
+
 const struct property pipeline_properties[] = {
     PROPERTY("pipeline: the nearest by z/w", AGAINST_FRACTIONS, 15000, struct soup_case, make_whole,
              .error_unit = "ulp of depth", .judge = judge_faces),
@@ -242,6 +279,8 @@ const struct property pipeline_properties[] = {
              make_seen_by_camera, .error_unit = "ulp of depth", .judge = judge_faces),
     PROPERTY("pipeline: attributes in perspective", AGAINST_LONG_DOUBLE, 15000, struct soup_case,
              make_steep, .error_unit = "1/256 texel of 1024", .judge = judge_values),
+    PROPERTY("pipeline: same values in every order", AGAINST_ITSELF, 20000, struct soup_case,
+             make_uncut, .holds = same_in_every_order),
     PROPERTY("pipeline: 16384 pixels wide or high", AGAINST_LONG_DOUBLE, 300, struct soup_case,
              make_largest, .error_unit = "ulp of depth", .judge = judge_faces),
     {.name = NULL},

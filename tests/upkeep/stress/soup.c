@@ -1,9 +1,11 @@
 /* Random triangles in perspective: see soup.h. */
 #include "soup.h"
 
+#include "oracle/shown.h"
 #include "pipeline.h"
 
 #include <math.h>
+#include <string.h>
 
 static const long double near_w = 1.0L / 128;
 
@@ -34,16 +36,11 @@ static void choose_matrix(struct soup *soup, struct random *random) {
     }
 }
 
-static struct vec3 any_place(struct random *random, double reach) {
-    double x = random_real(random, -reach, reach), y = random_real(random, -reach, reach);
-    return (struct vec3){x, y, random_real(random, -reach, reach)};
-}
-
 static void choose_camera(struct soup *soup, struct random *random) {
     do {
-        soup->eye = any_place(random, 4);
-        soup->center = any_place(random, 4);
-        soup->up = any_place(random, 2);
+        soup->eye = random_vec3(random, 4);
+        soup->center = random_vec3(random, 4);
+        soup->up = random_vec3(random, 2);
     } while (vec3_length(vec3_sub(soup->eye, soup->center)) < 0.5 ||
              oracle_frame(soup->eye, soup->center, soup->up).sine < 0.1L);
     soup->zoom = random_real(random, 0.3, 1.5);
@@ -78,7 +75,7 @@ static struct vec3 choose_position(const struct soup *soup, struct random *rando
     if (soup->kind == SOUP_CAMERA) {
         static const double reaches[] = {2, 6, 6, 60, 300};
         double reach = reaches[random_bits(random) % 5];
-        return vec3_add(soup->center, any_place(random, reach));
+        return vec3_add(soup->center, random_vec3(random, reach));
     }
     struct vec2 ndc = ndc_place(soup, random);
     double w = (double)random_between(random, 8, 64) / 16;
@@ -99,126 +96,59 @@ static struct vec3 moved_beside(const struct soup *soup, struct random *random,
 
 /* ---- What is seen of a face ---- */
 
-/* A corner of the face in clip space: x, y, z, w. */
-struct homogeneous {
-    long double at[4];
+/* A place on a face: x, y, z, w of clip space, and the attribute. */
+struct place {
+    long double at[5];
 };
 
-static struct homogeneous to_clip(const struct soup *soup, struct vec3 position) {
-    struct homogeneous clip;
+static struct place place_of(const struct soup *soup, size_t face, size_t corner) {
+    const struct vec3 position = model_position(&soup->model, face, corner);
+    struct place place;
     for (int row = 0; row < 4; row++) {
         const long double *m = soup->exact_to_clip[row];
-        clip.at[row] = m[0] * (long double)position.x + m[1] * (long double)position.y +
-                       m[2] * (long double)position.z + m[3];
+        place.at[row] = m[0] * (long double)position.x + m[1] * (long double)position.y +
+                        m[2] * (long double)position.z + m[3];
     }
-    return clip;
+    place.at[4] = (long double)soup->value[3 * face + corner];
+    return place;
 }
 
-enum { HALF_PLANES = 8 };
+enum { PLANES = 5 };
 
-/* A place in the face's plane is given by weights of its corners. What is seen of the face is where
- * eight linear functions of the weights are not negative: the weights themselves, what w is above
- * the near plane, and the distances to the four sides of the guard band. */
-static void find_half_planes(const struct homogeneous corner[3], long double guard_band,
-                             long double function[HALF_PLANES][3]) {
-    for (int i = 0; i < 3; i++) {
-        const long double *c = corner[i].at;
-        for (int k = 0; k < 3; k++) {
-            function[k][i] = i == k;
-        }
-        function[3][i] = c[3] - near_w;
-        function[4][i] = guard_band * c[3] - c[0];
-        function[5][i] = guard_band * c[3] + c[0];
-        function[6][i] = guard_band * c[3] - c[1];
-        function[7][i] = guard_band * c[3] + c[1];
-    }
+/* How far inside it is: what w is above the near plane, or the distance to a side of the guard
+ * band. */
+static long double distance_inside(const struct soup *soup, const struct place *place, int plane) {
+    long double w = place->at[3], side = place->at[plane / 2];
+    return plane == PLANES - 1 ? w - near_w
+                               : soup->guard_band * w + (plane % 2 == 0 ? side : -side);
 }
 
-struct weights {
-    long double of[3]; /* sum 1 */
-};
-
-/* Where two of the functions are zero. False where that is nowhere, or nearly so. */
-static bool find_crossing(const long double *f, const long double *g, struct weights *weights) {
-    long double sum = 0, largest = 0;
-    for (int i = 0; i < 3; i++) {
-        int k = (i + 1) % 3, j = (i + 2) % 3;
-        weights->of[i] = f[k] * g[j] - f[j] * g[k];
-        sum += weights->of[i];
-        largest = fmaxl(largest, fabsl(weights->of[i]));
-    }
-    for (int i = 0; i < 3; i++) {
-        weights->of[i] /= sum;
-    }
-    return fabsl(sum) > 1e-12L * largest;
-}
-
-enum side { INSIDE, OUTSIDE, UNSURE };
-
-/* Are all functions but those two positive there? */
-static enum side find_side(long double function[HALF_PLANES][3], int skipped, int also_skipped,
-                           const struct weights *weights) {
-    enum side side = INSIDE;
-    for (int i = 0; i < HALF_PLANES; i++) {
-        long double value = 0, scale = 0;
-        for (int k = 0; k < 3; k++) {
-            value += function[i][k] * weights->of[k];
-            scale = fmaxl(scale, fabsl(function[i][k] * weights->of[k]));
+/* Cuts off what of a polygon is outside a plane. False where that is not sure. */
+static bool cut(const struct soup *soup, int plane, struct place polygon[SOUP_POLYGON_LIMIT],
+                size_t *count) {
+    struct place kept[2 * SOUP_POLYGON_LIMIT] = {{{0}}};
+    size_t n = 0;
+    for (size_t i = 0; i < *count; i++) {
+        const struct place *a = &polygon[i], *b = &polygon[(i + 1) % *count];
+        long double inside = distance_inside(soup, a, plane);
+        long double next_inside = distance_inside(soup, b, plane);
+        if (fabsl(inside) < 1e-12L * (fabsl(a->at[3]) + fabsl(a->at[plane / 2]) + near_w)) {
+            return false;
         }
-        if (i != skipped && i != also_skipped && value < -1e-12L * scale) {
-            return OUTSIDE;
+        if (inside > 0) {
+            kept[n++] = *a;
         }
-        if (i != skipped && i != also_skipped && value < 1e-12L * scale) {
-            side = UNSURE;
-        }
-    }
-    return side;
-}
-
-/* A corner of the polygon, with the angle at which it is seen from the middle of the weights. */
-struct found_corner {
-    struct weights weights;
-    long double angle;
-};
-
-/* All places where two of the lines cross and nothing is outside. False where that is not sure. */
-static bool find_polygon(const struct homogeneous corner[3], long double guard_band,
-                         struct found_corner found[SOUP_POLYGON_LIMIT], size_t *count) {
-    long double function[HALF_PLANES][3];
-    find_half_planes(corner, guard_band, function);
-    *count = 0;
-    for (int i = 0; i < HALF_PLANES; i++) {
-        for (int k = i + 1; k < HALF_PLANES; k++) {
-            struct weights weights;
-            enum side side = find_crossing(function[i], function[k], &weights)
-                                 ? find_side(function, i, k, &weights)
-                                 : OUTSIDE;
-            if (side == UNSURE || (side == INSIDE && *count == SOUP_POLYGON_LIMIT)) {
-                return false;
+        if ((inside > 0) != (next_inside > 0)) {
+            for (int k = 0; k < 5; k++) {
+                kept[n].at[k] =
+                    (next_inside * a->at[k] - inside * b->at[k]) / (next_inside - inside);
             }
-            if (side == INSIDE) {
-                found[(*count)++].weights = weights;
-            }
+            n++;
         }
     }
-    return true;
-}
-
-static void put_in_order(struct found_corner found[SOUP_POLYGON_LIMIT], size_t count) {
-    long double middle[2] = {0, 0};
-    for (size_t i = 0; i < count; i++) {
-        middle[0] += found[i].weights.of[0] / (long double)count;
-        middle[1] += found[i].weights.of[1] / (long double)count;
-    }
-    for (size_t i = 0; i < count; i++) {
-        struct found_corner moved = found[i];
-        moved.angle = atan2l(moved.weights.of[1] - middle[1], moved.weights.of[0] - middle[0]);
-        size_t k = i;
-        for (; k > 0 && found[k - 1].angle > moved.angle; k--) {
-            found[k] = found[k - 1];
-        }
-        found[k] = moved;
-    }
+    *count = n;
+    memcpy(polygon, kept, (n < SOUP_POLYGON_LIMIT ? n : SOUP_POLYGON_LIMIT) * sizeof *polygon);
+    return n <= SOUP_POLYGON_LIMIT;
 }
 
 /* Round to 1/256 pixel. False where both neighbours are about as near. */
@@ -229,22 +159,15 @@ static bool snap(long double screen, long double size, int32_t *snapped) {
     return steps - floorl(steps) > margin && steps - floorl(steps) < 1 - margin;
 }
 
-static bool place_corner(const struct soup *soup, const struct homogeneous corner[3],
-                         const double value[3], const struct weights *weights,
+static bool place_corner(const struct soup *soup, const struct place *place,
                          struct soup_corner *placed) {
-    long double clip[4] = {0}, sum = 0;
-    for (int i = 0; i < 3; i++) {
-        for (int k = 0; k < 4; k++) {
-            clip[k] += weights->of[i] * corner[i].at[k];
-        }
-        sum += weights->of[i] * (long double)value[i];
-    }
+    const long double *clip = place->at;
     const struct rectangle *v = &soup->viewport;
     long double x = v->x + (clip[0] / clip[3] + 1) * v->width / 2;
     long double y = v->y + (clip[1] / clip[3] + 1) * v->height / 2;
     placed->z = clip[2];
     placed->w = clip[3];
-    placed->value = (double)sum;
+    placed->value = (double)clip[4];
     return snap(x, v->width, &placed->screen.x) && snap(y, v->height, &placed->screen.y);
 }
 
@@ -265,19 +188,20 @@ static bool is_convex(const struct soup_polygon *polygon) {
 
 /* False where it is not sure what is seen. */
 static bool see_face(const struct soup *soup, size_t face, struct soup_polygon *polygon) {
-    struct homogeneous corner[3];
-    struct found_corner found[SOUP_POLYGON_LIMIT];
-    for (size_t i = 0; i < 3; i++) {
-        corner[i] = to_clip(soup, model_position(&soup->model, face, i));
-    }
-    if (!find_polygon(corner, soup->guard_band, found, &polygon->count)) {
-        return false;
-    }
-    put_in_order(found, polygon->count);
+    struct place places[SOUP_POLYGON_LIMIT];
+    polygon->count = 3;
     polygon->scale = 1;
+    for (size_t i = 0; i < 3; i++) {
+        places[i] = place_of(soup, face, i);
+    }
+    for (int plane = 0; plane < PLANES; plane++) {
+        if (!cut(soup, plane, places, &polygon->count)) {
+            return false;
+        }
+    }
     for (size_t i = 0; i < polygon->count; i++) {
         struct soup_corner *placed = &polygon->corner[i];
-        if (!place_corner(soup, corner, &soup->value[3 * face], &found[i].weights, placed)) {
+        if (!place_corner(soup, &places[i], placed)) {
             return false;
         }
         polygon->scale = fmax(polygon->scale, fabs((double)(placed->z / placed->w)));
@@ -299,8 +223,6 @@ static void choose_corners(struct soup *soup, struct random *random, size_t face
 
 static void make_face(struct soup *soup, struct random *random, size_t face) {
     for (size_t i = 0; i < 3; i++) {
-        soup->faces[face].corner[i] =
-            (struct corner){(uint32_t)(3 * face + i), MODEL_NONE, MODEL_NONE};
         soup->value[3 * face + i] = random_real(random, 0, 1);
     }
     do {
@@ -316,10 +238,7 @@ static long double guard_band_of(const struct rectangle *viewport) {
 void soup_make(struct soup *soup, uint64_t seed, enum soup_kind kind) {
     struct random random = {seed};
     *soup = (struct soup){.kind = kind};
-    soup->model = (struct model){.positions = soup->positions,
-                                 .position_count = SOUP_CORNERS,
-                                 .faces = soup->faces,
-                                 .face_count = SOUP_FACES};
+    soup->model = plain_model(soup->positions, SOUP_CORNERS, soup->faces, SOUP_FACES, NULL);
     choose_viewport(soup, &random);
     soup->guard_band = guard_band_of(&soup->viewport);
     if (kind == SOUP_CAMERA) {

@@ -2,10 +2,10 @@
  * Random triangles in perspective, through each other, and what must be seen of them at a pixel.
  *
  * The answer is worked out in another way than the pipeline works: the camera from its geometry;
- * the part of a face that is seen as the place where eight half-planes meet, in weights of its
- * corners; coverage by 128-bit integers; depth and attributes by fractions or long double. What it
- * shares with the pipeline are four numbers: positions are rounded to 1/256 pixel, faces end at w
- * = 1/128, and their edges end where they leave NDC -64..64 or are 2^16 pixels from the middle.
+ * the part of a face that is seen in long double, cut at one plane after the other; coverage by
+ * 128-bit integers; depth and attributes by fractions or long double. What it shares with the
+ * pipeline are four numbers: positions are rounded to 1/256 pixel, faces end at w = 1/128, and
+ * their edges end where they leave NDC -64..64 or are 2^16 pixels from the middle.
  *
  *     soup_make(&soup, seed, SOUP_CAMERA);
  *     ... draw soup.model with soup.to_clip into soup.viewport ...

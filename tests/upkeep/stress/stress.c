@@ -143,10 +143,9 @@ static bool read_environment(struct wish *wish) {
 
 int main(int argc, char **argv) {
     static const struct property *const tables[] = {
-        line_properties,     triangle_properties, mesh_properties,     pipeline_properties,
-        camera_properties,   texture_properties,  lesson04_properties, lesson05_properties,
-        lesson06_properties, lesson07_properties, lesson08_properties, lesson09_properties,
-        lesson10_properties,
+        line_properties,     triangle_properties, pipeline_properties, camera_properties,
+        texture_properties,  lesson04_properties, lesson05_properties, lesson06_properties,
+        lesson07_properties, lesson08_properties, lesson09_properties, lesson10_properties,
     };
     struct wish wish;
     if (!read_environment(&wish)) {

@@ -69,7 +69,6 @@ void random_triangle(struct random *random, uint64_t index, struct fixed2 corner
 /* Tables that end with a property without a name. */
 extern const struct property line_properties[];
 extern const struct property triangle_properties[];
-extern const struct property mesh_properties[];
 extern const struct property pipeline_properties[];
 extern const struct property camera_properties[];
 extern const struct property texture_properties[];
