@@ -122,7 +122,11 @@ static bool measure_lessons(const struct options *options, struct error *error) 
     fputs("]\n", json);
     done = done && (any || error_set(error, "no tests/lessons/stepNN_name/bench.c measures a step "
                                             "of that name"));
-    return output_close(json, error) && done;
+    bool saved = output_close(json, error) && done;
+    if (!saved) {
+        remove(COURSE_BUILD "/bench/all.json");
+    }
+    return saved;
 }
 
 int main(int argc, char **argv) {
