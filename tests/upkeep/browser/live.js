@@ -118,6 +118,7 @@ const placeOf = (page, x, y) => page.evaluate(([x, y]) => {
 }, [x, y]);
 
 async function dragTo(page, from, to) {
+    await settled(page);
     await page.mouse.move(...await placeOf(page, ...from));
     await page.mouse.down();
     await page.mouse.move(...await placeOf(page, ...to));
@@ -131,11 +132,15 @@ const settled = page => page.waitForFunction(() => !asking && !again);
 /* A slider becomes that number, by keys alone. */
 async function set(page, name, value) {
     const slider = page.locator(`label:has-text("${name}") input`);
-    await slider.focus();
     if (await slider.getAttribute('type') === 'checkbox') {
-        await page.keyboard.press('Space');
+        for (let i = 0; i < 3 && await slider.isChecked() !== Boolean(value); i++) {
+            await slider.focus(); /* which it loses where a build has just ended: all are made anew */
+            await page.keyboard.press('Space');
+        }
+        assert.equal(await slider.isChecked(), Boolean(value), name);
         return settled(page);
     }
+    await slider.focus();
     const [step, most] = [Number(await slider.getAttribute('step')), Number(await slider.getAttribute('max'))];
     if (step < most / 300) {
         await slider.fill(`${value}`);
