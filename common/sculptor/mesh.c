@@ -66,7 +66,7 @@ static void add_grid_corner(struct mesh *mesh, const struct surface *surface, in
     int column = surface_column(surface, vertex), row = surface_row(surface, vertex);
     struct grid_corner *corner = &corners[vertex];
     if (corner->place[side] == NONE) {
-        struct vec3 p = surface->place[vertex];
+        struct vec3 p = surface->points[vertex].place;
         p.x = side == LEFT ? p.x : -p.x;
         corner->place[side] = mesh_add_place(mesh, p);
         corner->normal[side] = mesh_add_normal(mesh, (struct vec3){0, 0, 0});

@@ -86,9 +86,12 @@ static double quadric_at(const struct quadric *quadric, struct vec3 p) {
     return a * p.x + b * p.y + (q[ZZ] * p.z + 2 * q[Z]) * p.z + q[ONE];
 }
 
+static struct vec3 place_of(const struct workshop *w, int vertex) {
+    return w->surface->points[vertex].place;
+}
+
 static double price_of(const struct workshop *w, int from, int to) {
-    struct vec3 target = w->surface->place[to];
-    struct vec3 way = vec3_sub(w->surface->place[from], target);
+    struct vec3 target = place_of(w, to), way = vec3_sub(place_of(w, from), target);
     double price = quadric_at(&w->quadrics[from], target) + quadric_at(&w->quadrics[to], target);
     /* On flat ground short edges go first. */
     return price + 2e-9 * vec3_dot(way, way) * importance(target);
@@ -164,9 +167,9 @@ static int neighbours(const struct workshop *w, int vertex, int found[NEIGHBOUR_
 }
 
 static struct vec3 area_vector(const struct workshop *w, const struct grid_triangle *t) {
-    const struct vec3 *place = w->surface->place;
-    struct vec3 a = place[t->corner[0]];
-    return vec3_cross(vec3_sub(place[t->corner[1]], a), vec3_sub(place[t->corner[2]], a));
+    struct vec3 a = place_of(w, t->corner[0]);
+    return vec3_cross(vec3_sub(place_of(w, t->corner[1]), a),
+                      vec3_sub(place_of(w, t->corner[2]), a));
 }
 
 /* Twice the area in the texture, in half grid cells. A pole is midway over its two partners. */
@@ -187,10 +190,9 @@ static int area_in_texture(const struct workshop *w, const struct grid_triangle 
 /* 1 for an equilateral triangle, 0 for one without area. */
 static double roundness(const struct workshop *w, const struct grid_triangle *t,
                         double twice_area) {
-    const struct vec3 *place = w->surface->place;
     double sum = 0;
     for (int k = 0; k < 3; k++) {
-        struct vec3 edge = vec3_sub(place[t->corner[(k + 1) % 3]], place[t->corner[k]]);
+        struct vec3 edge = vec3_sub(place_of(w, t->corner[(k + 1) % 3]), place_of(w, t->corner[k]));
         sum += vec3_dot(edge, edge);
     }
     return 3.4641016151377544 * twice_area / sum;
@@ -328,7 +330,7 @@ static void measure_planes(struct workshop *w) {
         struct vec3 normal = area_vector(w, t);
         double area = vec3_length(normal);
         normal = vec3_normalized(normal);
-        struct vec3 p = w->surface->place[t->corner[0]];
+        struct vec3 p = place_of(w, t->corner[0]);
         struct quadric q = quadric_of_plane(normal, -vec3_dot(normal, p), area * importance(p));
         for (int k = 0; k < 3; k++) {
             quadric_add(&w->quadrics[t->corner[k]], &q);
