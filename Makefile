@@ -53,7 +53,7 @@ $(BUILD)/out/%/.drawn: $(BUILD)/% $(BUILD)/models/bust.obj
 $(BUILD)/models/bust.obj: $(BUILD)/sculptor
 	$(SAY) SCULPT $(@D)
 	@mkdir -p $(@D)
-	$(Q)$(BUILD)/sculptor $(@D)
+	$(Q)cd $(@D) && ../sculptor
 
 # ---- How the compiler is called ----
 

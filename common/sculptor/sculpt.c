@@ -1,9 +1,10 @@
 /*
- * Sculpts the course's own model: sculpt DIR [COARSER]
+ * Sculpts the course's own model: sculpt [COARSER]
  *
- * Writes into DIR: bust.obj with bust_diffuse.tga, bust_nm.tga and bust_spec.tga, and two plain
- * solids, sphere.obj and knot.off. All are closed, face outwards and lie within -1..1. COARSER, 1
- * to 8, divides the columns, rows, faces and texels of the bust, where a processor is emulated.
+ * Writes into the current directory: bust.obj with bust_diffuse.tga, bust_nm.tga and bust_spec.tga,
+ * and two plain solids, sphere.obj and knot.off. All are closed, face outwards and lie within
+ * -1..1. COARSER, 1 to 8, divides the columns, rows, faces and texels of the bust, where a
+ * processor is emulated.
  *
  *   head.c      the bust as a solid of clay: where clay is and where not
  *   surface.c   rays from inside find its surface, as a fine grid over the texture
@@ -29,75 +30,55 @@ enum {
     HALF_FACES = 2490 /* of the bust */
 };
 
-/* "DIR/name" in `path`; false when it does not fit. */
-static bool join_path(char path[4096], const char *directory, const char *name,
-                      struct error *error) {
-    int length = snprintf(path, 4096, "%s/%s", directory, name);
-    return (length > 0 && length < 4096) || error_set(error, "%s: the path is too long", directory);
-}
-
-static bool write_mesh(const struct mesh *mesh, const char *comment, const char *directory,
-                       const char *name, struct error *error) {
-    char path[4096];
-    return join_path(path, directory, name, error) && mesh_write(mesh, comment, path, error);
-}
-
-static bool write_image(const struct image *image, const char *directory, const char *name,
-                        struct error *error) {
-    char path[4096];
-    return join_path(path, directory, name, error) && tga_write(image, path, error);
-}
-
-static bool write_mesh_of_bust(const struct surface *surface, int coarser, const char *directory,
-                               struct error *error) {
+static bool write_mesh_of_bust(const struct surface *surface, int coarser, struct error *error) {
     struct grid_triangle *triangles = NULL;
     size_t count;
     struct mesh mesh = {0};
     bool done = (simplify(surface, (size_t)(HALF_FACES / coarser), &triangles, &count) &&
                  mesh_from_surface(&mesh, surface, triangles, count)) ||
                 error_set(error, "out of memory for the bust");
-    done = done && write_mesh(&mesh, "A bust, sculpted by common/sculptor/sculpt.c", directory,
-                              "bust.obj", error);
+    done = done &&
+           mesh_write(&mesh, "A bust, sculpted by common/sculptor/sculpt.c", "bust.obj", error);
     mesh_free(&mesh);
     free(triangles);
     return done;
 }
 
-static bool write_bust(int coarser, const char *directory, struct error *error) {
+static bool write_bust(int coarser, struct error *error) {
     struct surface surface;
     if (!surface_create(&surface, FINE_COLUMNS / coarser, FINE_ROWS / coarser)) {
         return error_set(error, "out of memory for the bust");
     }
     struct skin skin = {0};
-    bool done = write_mesh_of_bust(&surface, coarser, directory, error) &&
+    bool done = write_mesh_of_bust(&surface, coarser, error) &&
                 skin_create(&skin, &surface, (size_t)(TEXTURE_SIZE / coarser), error) &&
-                write_image(&skin.diffuse, directory, "bust_diffuse.tga", error) &&
-                write_image(&skin.normals, directory, "bust_nm.tga", error) &&
-                write_image(&skin.specular, directory, "bust_spec.tga", error);
+                tga_write(&skin.diffuse, "bust_diffuse.tga", error) &&
+                tga_write(&skin.normals, "bust_nm.tga", error) &&
+                tga_write(&skin.specular, "bust_spec.tga", error);
     skin_free(&skin);
     surface_free(&surface);
     return done;
 }
 
-static bool write_solids(const char *directory, struct error *error) {
+static bool write_solids(struct error *error) {
     struct mesh mesh;
     bool done = solid_sphere(&mesh, 48, 24) || error_set(error, "out of memory for the sphere");
-    done = done && write_mesh(&mesh, "A sphere of radius 0.9", directory, "sphere.obj", error);
+    done = done && mesh_write(&mesh, "A sphere of radius 0.9", "sphere.obj", error);
     mesh_free(&mesh);
     done = done && (solid_knot(&mesh, 96, 12) || error_set(error, "out of memory for the knot"));
-    done = done && write_mesh(&mesh, "A trefoil knot", directory, "knot.off", error);
+    done = done && mesh_write(&mesh, "A trefoil knot", "knot.off", error);
     mesh_free(&mesh);
     return done;
 }
 
 int main(int argc, char **argv) {
-    int coarser = argc == 3 ? atoi(argv[2]) : 1;
-    if (argc < 2 || argc > 3 || argv[1][0] == '\0' || coarser < 1 || coarser > 8) {
-        fprintf(stderr, "usage: sculpt DIR [COARSER]\n");
+    int coarser = argc == 2 ? atoi(argv[1]) : 1;
+    if (argc > 2 || coarser < 1 || coarser > 8) {
+        fprintf(stderr, "usage: sculpt [COARSER]\n");
         return 2;
     }
     struct error error;
-    if (!write_solids(argv[1], &error) || !write_bust(coarser, argv[1], &error)) {
+    if (!write_solids(&error) || !write_bust(coarser, &error)) {
         fprintf(stderr, "sculpt: %s\n", error.message);
         return 1;
     }
