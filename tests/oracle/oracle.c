@@ -193,62 +193,34 @@ long double oracle_rounding_scale(const struct fixed2 corner[3], const double re
 
 /* ---- Cameras ---- */
 
-static long double dot(const long double a[3], const long double b[3]) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-/* False, with v as it was, where it is zero. */
-static bool normalize(long double v[3]) {
-    long double length = sqrtl(dot(v, v));
-    for (int i = 0; length > 0 && i < 3; i++) {
-        v[i] /= length;
-    }
-    return length > 0;
-}
-
-static void cross(const long double a[3], const long double b[3], long double result[3]) {
-    for (int i = 0; i < 3; i++) {
-        int k = (i + 1) % 3, j = (i + 2) % 3;
-        result[i] = a[k] * b[j] - a[j] * b[k];
-    }
-}
-
 struct oracle_frame oracle_frame(struct vec3 eye, struct vec3 center, struct vec3 up) {
-    struct oracle_frame frame = {.axis[2] = {(long double)eye.x - (long double)center.x,
-                                             (long double)eye.y - (long double)center.y,
-                                             (long double)eye.z - (long double)center.z}};
-    long double upwards[3] = {(long double)up.x, (long double)up.y, (long double)up.z};
-    if (normalize(frame.axis[2]) && normalize(upwards)) {
-        cross(upwards, frame.axis[2], frame.axis[0]);
-        frame.sine = sqrtl(dot(frame.axis[0], frame.axis[0]));
+    struct oracle_frame frame = {0};
+    frame.axis[2] = real3_unit(real3_sub(real3_from(eye), real3_from(center)));
+    struct real3 right = real3_cross(real3_unit(real3_from(up)), frame.axis[2]);
+    frame.sine = real3_length(right);
+    if (!(frame.sine > 1e-9L)) {
+        frame.sine = 0;
+        return frame;
     }
-    frame.sine = frame.sine > 1e-9L ? frame.sine : 0;
-    for (int i = 0; i < 3; i++) {
-        frame.axis[0][i] = frame.sine > 0 ? frame.axis[0][i] / frame.sine : 0;
-    }
-    cross(frame.axis[2], frame.axis[0], frame.axis[1]);
+    frame.axis[0] = real3_scale(right, 1 / frame.sine);
+    frame.axis[1] = real3_cross(frame.axis[2], frame.axis[0]);
     return frame;
 }
 
-bool oracle_camera(struct vec3 eye, struct vec3 center, struct vec3 up, double zoom,
+void oracle_camera(struct vec3 eye, struct vec3 center, struct vec3 up, double zoom,
                    long double to_clip[4][4]) {
     struct oracle_frame frame = oracle_frame(eye, center, up);
-    const long double from[3] = {(long double)eye.x, (long double)eye.y, (long double)eye.z};
-    const long double to[3] = {(long double)center.x, (long double)center.y, (long double)center.z};
-    const long double sight[3] = {from[0] - to[0], from[1] - to[1], from[2] - to[2]};
-    long double distance = sqrtl(dot(sight, sight));
-    for (int row = 0; row < 3; row++) {
-        long double scale = row < 2 ? (long double)zoom : 1;
-        for (int i = 0; i < 3; i++) {
-            to_clip[row][i] = scale * frame.axis[row][i];
-        }
-        to_clip[row][3] = -scale * dot(frame.axis[row], to);
+    struct real3 from = real3_from(eye), to = real3_from(center);
+    long double scale = (long double)zoom, away = -1 / real3_length(real3_sub(from, to));
+    const struct real3 rows[4] = {real3_scale(frame.axis[0], scale),
+                                  real3_scale(frame.axis[1], scale), frame.axis[2],
+                                  real3_scale(frame.axis[2], away)}; /* from the eye forwards */
+    for (int i = 0; i < 4; i++) {
+        to_clip[i][0] = rows[i].x;
+        to_clip[i][1] = rows[i].y;
+        to_clip[i][2] = rows[i].z;
+        to_clip[i][3] = -real3_dot(rows[i], i < 3 ? to : from);
     }
-    for (int i = 0; i < 3; i++) { /* from the eye forwards */
-        to_clip[3][i] = -frame.axis[2][i] / distance;
-    }
-    to_clip[3][3] = dot(frame.axis[2], from) / distance;
-    return frame.sine > 0;
 }
 
 /* ---- Matrices ---- */
