@@ -113,34 +113,32 @@ int oracle_turn(struct fixed2 a, struct fixed2 b, struct fixed2 c) {
 }
 
 /* Depth as a fraction: numerator and (positive) denominator. */
-static void exact_depth(const struct fixed2 corner[3], const int64_t depth[3], int64_t x, int64_t y,
-                        int128 *numerator, int128 *denominator) {
-    int128 px = (int128)x * 256 + 128, py = (int128)y * 256 + 128;
-    int128 area = orientation(corner[0], corner[1], corner[2].x, corner[2].y);
-    int128 sum = orientation(corner[1], corner[2], px, py) * depth[0] +
-                 orientation(corner[2], corner[0], px, py) * depth[1] +
-                 orientation(corner[0], corner[1], px, py) * depth[2];
-    *numerator = area < 0 ? -sum : sum;
-    *denominator = area < 0 ? -area : area;
-}
-
-int oracle_compare_depth(const struct fixed2 first[3], const int64_t first_depth[3],
-                         const struct fixed2 second[3], const int64_t second_depth[3], int64_t x,
-                         int64_t y) {
-    int128 n1, d1, n2, d2;
-    exact_depth(first, first_depth, x, y, &n1, &d1);
-    exact_depth(second, second_depth, x, y, &n2, &d2);
-    return sign_of(n1 * d2 - n2 * d1);
-}
-
-long double oracle_perspective_depth(const struct fixed2 corner[3], const int64_t z[3],
-                                     const int64_t w[3], int64_t x, int64_t y) {
+static void exact_depth(const struct fixed2 corner[3], const int64_t z[3], const int64_t w[3],
+                        int64_t x, int64_t y, int128 *numerator, int128 *denominator) {
     int128 px = (int128)x * 256 + 128, py = (int128)y * 256 + 128;
     int128 area = orientation(corner[0], corner[1], corner[2].x, corner[2].y);
     int128 sum = orientation(corner[1], corner[2], px, py) * z[0] * w[1] * w[2] +
                  orientation(corner[2], corner[0], px, py) * z[1] * w[2] * w[0] +
                  orientation(corner[0], corner[1], px, py) * z[2] * w[0] * w[1];
-    return (long double)sum / (long double)(area * w[0] * w[1] * w[2]);
+    *numerator = area < 0 ? -sum : sum;
+    *denominator = (area < 0 ? -area : area) * w[0] * w[1] * w[2];
+}
+
+int oracle_compare_depth(const struct fixed2 first[3], const int64_t first_depth[3],
+                         const struct fixed2 second[3], const int64_t second_depth[3], int64_t x,
+                         int64_t y) {
+    static const int64_t parallel[3] = {1, 1, 1};
+    int128 n1, d1, n2, d2;
+    exact_depth(first, first_depth, parallel, x, y, &n1, &d1);
+    exact_depth(second, second_depth, parallel, x, y, &n2, &d2);
+    return sign_of(n1 * d2 - n2 * d1);
+}
+
+long double oracle_perspective_depth(const struct fixed2 corner[3], const int64_t z[3],
+                                     const int64_t w[3], int64_t x, int64_t y) {
+    int128 numerator, denominator;
+    exact_depth(corner, z, w, x, y, &numerator, &denominator);
+    return (long double)numerator / (long double)denominator;
 }
 
 /* ---- Interpolation ---- */
