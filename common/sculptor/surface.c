@@ -96,16 +96,10 @@ static void close_base(struct surface *surface) {
 
 /* The point at a column that may lie one beyond the half: there is its mirror image. */
 static struct vec3 mirrored(const struct surface *surface, int column, int row) {
-    double side = 1;
-    if (column < 0) {
-        column = -column;
-        side = -1;
-    } else if (column > surface->columns) {
-        column = 2 * surface->columns - column;
-        side = -1;
-    }
-    struct vec3 p = point_at(surface, column, row)->place;
-    p.x *= side;
+    int last = surface->columns;
+    int inside = column < 0 ? -column : column > last ? 2 * last - column : column;
+    struct vec3 p = point_at(surface, inside, row)->place;
+    p.x = inside == column ? p.x : -p.x;
     return p;
 }
 

@@ -50,17 +50,12 @@ bool oracle_line_has(struct pixel a, struct pixel b, struct pixel p) {
     if (u_start == u_end) {
         return v == v_start; /* a point: the steep case excludes all other lines */
     }
-    /* Distance of pixel v to the ideal line, times the length in u. */
+    /* How far pixel v is above the ideal line, times twice the length in u. */
     int128 length = u_end - u_start;
-    int128 ideal = v_start * length + (v_end - v_start) * (u - u_start);
-    int128 here = magnitude(v * length - ideal);
-    int128 above = magnitude((v + 1) * length - ideal), below = magnitude((v - 1) * length - ideal);
-    if (here > above || here > below) {
-        return false;
-    }
-    bool tie_above = here == above, tie_below = here == below;
-    /* At a tie with the row above, that one is nearer to the start if this one is below it. */
-    return !(tie_above && v < v_start) && !(tie_below && v > v_start);
+    int128 above = 2 * ((v - v_start) * length - (v_end - v_start) * (u - u_start));
+    /* At a tie the row nearer to the start. */
+    return (-length < above && above < length) || (above == length && v <= v_start) ||
+           (above == -length && v >= v_start);
 }
 
 /* ---- Triangles ---- */

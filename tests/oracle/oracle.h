@@ -31,9 +31,8 @@ struct vec3 random_vec3(struct random *random, double reach); /* each from -reac
 /* ---- Lines ---- */
 
 /* Is pixel p on the line from a to b? The line is drawn along its longer axis (x where both are
- * equal); in each column (row) it has the pixel nearest to the ideal segment, found by comparing
- * distances to both neighbours as fractions; at a tie the one nearer to the left (lower) end's row
- * (column). */
+ * equal); in each column (row) it has the pixel at most half a pixel from the ideal segment; at a
+ * tie the one nearer to the left (lower) end's row (column). */
 bool oracle_line_has(struct pixel a, struct pixel b, struct pixel p);
 
 /* ---- Triangles ---- */
