@@ -235,10 +235,13 @@ static void test_write(void) {
     struct error error;
     struct stat status;
     const char *path = name_file(&place, "a");
+    mode_t mask = umask(0022);
     CHECK(file_write(path, "first", 5, &error) && file_is(path, "first"));
-    CHECK(chmod(path, 0640) == 0);
+    umask(mask);
+    CHECK(stat(path, &status) == 0 && (status.st_mode & 0777) == 0644);
+    CHECK(chmod(path, 0604) == 0);
     CHECK(file_write(path, "second", 6, &error) && file_is(path, "second"));
-    CHECK(stat(path, &status) == 0 && (status.st_mode & 0777) == 0640);
+    CHECK(stat(path, &status) == 0 && (status.st_mode & 0777) == 0604);
     CHECK(place_count(&place) == 1);
     place_remove(&place, "a");
 }
