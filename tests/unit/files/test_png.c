@@ -569,5 +569,4 @@ static void test_still_animation(void) {
 }
 
 UNIT_MAIN(TEST(test_every_kind), TEST(test_chunks), TEST(test_round_trip),
-          TEST(test_choice_of_filters), TEST(test_animation),
-          TEST(test_still_animation))
+          TEST(test_choice_of_filters), TEST(test_animation), TEST(test_still_animation))
