@@ -250,7 +250,11 @@ static void test_write(void) {
 static bool write_without_input(const char *path) {
     struct error error;
     close(STDIN_FILENO);
-    return file_write(path, "second", 6, &error) &&
+    struct bytes bytes;
+    bool done = file_read(path, &bytes, &error) && open(path, O_RDONLY) == STDIN_FILENO;
+    close(STDIN_FILENO);
+    bytes_free(&bytes);
+    return done && file_write(path, "second", 6, &error) &&
            file_write("/dev/null", "new", 3, &error); /* a device is opened as it is */
 }
 

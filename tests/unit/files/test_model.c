@@ -630,6 +630,11 @@ static void test_other_names(void) {
     CHECK(strstr(error.message, "/a.obj: neither a PNG nor a TGA") != NULL);
     model_free(&m);
     CHECK(unlink(name_file(&place, "a_spec.JPG")) == 0);
+    put_picture(&place, "a_spec.tga", color_grey(1));
+    CHECK(model_read(&m, model_path, &error) && model_textures_present(&m) == 1);
+    CHECK(model_texture(&m, MODEL_NORMAL_MAP, &error) == NULL);
+    model_free(&m);
+    CHECK(unlink(name_file(&place, "a_spec.tga")) == 0);
     place_remove(&place, "a.obj");
 }
 

@@ -227,6 +227,10 @@ static void test_usage(void) {
     CHECK_RUN(&failing_program, "--eye 1,2,3", 2,
               "probe: unknown option '--eye'; try --help\n"); /* a program without a camera */
     CHECK(run(&model_program, "a.obj b.obj") == 2);
+    struct program several = model_program;
+    several.takes_models = true;
+    CHECK_RUN(&several, "a.obj b.obj c.obj d.obj e.obj", 2,
+              "probe: one argument too many: 'e.obj'; try --help\n");
     CHECK(run(&text_program, "--only bad scene.txt") == 2);
 }
 
