@@ -53,7 +53,7 @@ $(BUILD)/out/%/.drawn: $(BUILD)/% $(BUILD)/models/bust.obj
 $(BUILD)/models/bust.obj: $(BUILD)/sculptor
 	$(SAY) SCULPT $(@D)
 	@mkdir -p $(@D)
-	$(Q)cd $(@D) && ../sculptor
+	$(Q)$(BUILD)/sculptor $(@D)
 
 # ---- How the compiler is called ----
 

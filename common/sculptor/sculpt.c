@@ -1,10 +1,9 @@
 /*
- * Sculpts the course's own model: sculpt [COARSER]
+ * Sculpts the course's own model: sculpt DIR [COARSER]
  *
- * Writes into the current directory: bust.obj with bust_diffuse.tga, bust_nm.tga and bust_spec.tga,
- * and two plain solids, sphere.obj and knot.off. All are closed, face outwards and lie within
- * -1..1. COARSER, 1 to 8, divides the columns, rows, faces and texels of the bust, where a
- * processor is emulated.
+ * Writes into DIR: bust.obj with bust_diffuse.tga, bust_nm.tga and bust_spec.tga, and two plain
+ * solids, sphere.obj and knot.off. All are closed, face outwards and lie within -1..1. COARSER, 1
+ * to 8, divides the columns, rows, faces and texels of the bust, where a processor is emulated.
  *
  *   head.c      the bust as a solid of clay: where clay is and where not
  *   surface.c   rays from inside find its surface, as a fine grid over the texture
@@ -22,6 +21,7 @@
 
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 enum {
     TEXTURE_SIZE = 1024,
@@ -30,55 +30,69 @@ enum {
     HALF_FACES = 2490 /* of the bust */
 };
 
-static bool write_mesh_of_bust(const struct surface *surface, int coarser, struct error *error) {
+/* "DIR/name" */
+struct path {
+    char text[4096];
+};
+
+static struct path path_in(const char *directory, const char *name) {
+    struct path path;
+    snprintf(path.text, sizeof path.text, "%s/%s", directory, name);
+    return path;
+}
+
+static bool write_mesh_of_bust(const struct surface *surface, int coarser, const char *directory,
+                               struct error *error) {
     struct grid_triangle *triangles = NULL;
     size_t count;
     struct mesh mesh = {0};
     bool done = (simplify(surface, (size_t)(HALF_FACES / coarser), &triangles, &count) &&
                  mesh_from_surface(&mesh, surface, triangles, count)) ||
                 error_set(error, "out of memory for the bust");
-    done = done &&
-           mesh_write(&mesh, "A bust, sculpted by common/sculptor/sculpt.c", "bust.obj", error);
+    done = done && mesh_write(&mesh, "A bust, sculpted by common/sculptor/sculpt.c",
+                              path_in(directory, "bust.obj").text, error);
     mesh_free(&mesh);
     free(triangles);
     return done;
 }
 
-static bool write_bust(int coarser, struct error *error) {
+static bool write_bust(int coarser, const char *directory, struct error *error) {
     struct surface surface;
     if (!surface_create(&surface, FINE_COLUMNS / coarser, FINE_ROWS / coarser)) {
         return error_set(error, "out of memory for the bust");
     }
     struct skin skin = {0};
-    bool done = write_mesh_of_bust(&surface, coarser, error) &&
+    bool done = write_mesh_of_bust(&surface, coarser, directory, error) &&
                 skin_create(&skin, &surface, (size_t)(TEXTURE_SIZE / coarser), error) &&
-                tga_write(&skin.diffuse, "bust_diffuse.tga", error) &&
-                tga_write(&skin.normals, "bust_nm.tga", error) &&
-                tga_write(&skin.specular, "bust_spec.tga", error);
+                tga_write(&skin.diffuse, path_in(directory, "bust_diffuse.tga").text, error) &&
+                tga_write(&skin.normals, path_in(directory, "bust_nm.tga").text, error) &&
+                tga_write(&skin.specular, path_in(directory, "bust_spec.tga").text, error);
     skin_free(&skin);
     surface_free(&surface);
     return done;
 }
 
-static bool write_solids(struct error *error) {
+static bool write_solids(const char *directory, struct error *error) {
     struct mesh mesh;
     bool done = solid_sphere(&mesh, 48, 24) || error_set(error, "out of memory for the sphere");
-    done = done && mesh_write(&mesh, "A sphere of radius 0.9", "sphere.obj", error);
+    done = done && mesh_write(&mesh, "A sphere of radius 0.9",
+                              path_in(directory, "sphere.obj").text, error);
     mesh_free(&mesh);
     done = done && (solid_knot(&mesh, 96, 12) || error_set(error, "out of memory for the knot"));
-    done = done && mesh_write(&mesh, "A trefoil knot", "knot.off", error);
+    done = done && mesh_write(&mesh, "A trefoil knot", path_in(directory, "knot.off").text, error);
     mesh_free(&mesh);
     return done;
 }
 
 int main(int argc, char **argv) {
-    int coarser = argc == 2 ? atoi(argv[1]) : 1;
-    if (argc > 2 || coarser < 1 || coarser > 8) {
-        fprintf(stderr, "usage: sculpt [COARSER]\n");
+    int coarser = argc == 3 ? atoi(argv[2]) : 1;
+    size_t length = argc > 1 ? strlen(argv[1]) : 0;
+    if (argc > 3 || length < 1 || length > 4000 || coarser < 1 || coarser > 8) {
+        fprintf(stderr, "usage: sculpt DIR [COARSER]\n");
         return 2;
     }
     struct error error;
-    if (!write_solids(&error) || !write_bust(coarser, &error)) {
+    if (!write_solids(argv[1], &error) || !write_bust(coarser, argv[1], &error)) {
         fprintf(stderr, "sculpt: %s\n", error.message);
         return 1;
     }

@@ -20,8 +20,10 @@ mv tests/check/scenes tests/check/scenes.txt
 rm -rf common/sculptor && mkdir common/sculptor || exit 1
 cat >common/sculptor/sculpt.c <<'END'
 #include <stdio.h>
-int main(void) {
-    fclose(fopen("bust.obj", "w"));
+int main(int count, char **arguments) {
+    char path[4096];
+    snprintf(path, sizeof path, "%s/bust.obj", count == 2 ? arguments[1] : ".");
+    fclose(fopen(path, "w"));
 }
 END
 

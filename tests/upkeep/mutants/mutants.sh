@@ -79,7 +79,7 @@ run() (
                 --scenes "$work/scenes.txt" --make : "$lesson"
         ;;
     */sculpt)
-        mkdir -p sculpted && (cd sculpted && timeout 120 ../program) || exit 1
+        mkdir -p sculpted && timeout 120 ./program sculpted || exit 1
         for model in sculpted/*; do
             cmp "$model" "$work/models/${model##*/}" || exit 1
         done

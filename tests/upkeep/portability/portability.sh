@@ -90,9 +90,9 @@ run() {
 # ASCII), animated PNG, PPM, a model in OFF, and a frame of --live without its first two lines.
 draw() {
     rm -rf "$work"/{models,coarse,out} && mkdir -p "$work"/{models,coarse,out/formats/Köpfe}
-    (cd "$work/coarse" && run sculptor 4) || return
+    run sculptor "$work/coarse" 4 || return
     if [ -z "${runner// /}" ]; then
-        (cd "$work/models" && run sculptor) || return
+        run sculptor "$work/models" || return
     else
         cp "$build"/reference/models/* "$work/models"
     fi
