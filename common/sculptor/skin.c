@@ -278,8 +278,10 @@ bool skin_create(struct skin *skin, const struct surface *surface, size_t size,
                  struct error *error) {
     memset(skin, 0, sizeof *skin);
     struct texel *texels = calloc(size * size, sizeof *texels);
-    bool done = (texels != NULL || error_set(error, "out of memory for the skin")) &&
-                image_create(&skin->diffuse, size, size, IMAGE_BGR, error) &&
+    if (texels == NULL) {
+        return error_set(error, "out of memory for the skin");
+    }
+    bool done = image_create(&skin->diffuse, size, size, IMAGE_BGR, error) &&
                 image_create(&skin->normals, size, size, IMAGE_BGR, error) &&
                 image_create(&skin->specular, size, size, IMAGE_GREY, error);
     if (done) {
