@@ -120,10 +120,6 @@ static void find_normals(struct surface *surface) {
             } else if (row == surface->rows) {
                 n = (struct vec3){0, 1, 0};
             }
-            if (column == 0 || column == surface->columns) {
-                n.x = 0;
-                n = vec3_normalized(n);
-            }
             point_at(surface, column, row)->normal = n;
         }
     }
