@@ -111,15 +111,12 @@ static const struct text_scene_shape leaving_triangles[] = {
 };
 
 /* Triangles that leave the image: at the left and at the top, at the right, at the bottom. Their
- * edges are far from all pixel centres where they meet the border. */
-static const struct text_scene_shape cut_triangles[] = {
+ * edges are far from all pixel centres where they meet the border. Then two with an area of 0, a
+ * line and a point, through pixel centres: they draw nothing. */
+static const struct text_scene_shape special_triangles[] = {
     {{-30.4, 20.3, 40.2}, {165.3, 250.4, 185.1}, {{CYAN}, {CYAN}, {CYAN}}},
     {{172.3, 240.4, 230.2}, {90.4, 130.3, 20.6}, {{YELLOW}, {YELLOW}, {YELLOW}}},
     {{88.3, 141.6, 110.4}, {7.4, 5.2, -30.7}, {{MAGENTA}, {MAGENTA}, {MAGENTA}}},
-};
-
-/* Two with an area of 0, a line and a point, through pixel centres: they draw nothing. */
-static const struct text_scene_shape flat_triangles[] = {
     {{10, 70, 130}, {30, 30, 30}, {{YELLOW}, {YELLOW}, {YELLOW}}},
     {{60, 60, 60}, {20, 20, 20}, {{YELLOW}, {YELLOW}, {YELLOW}}},
 };
@@ -140,7 +137,7 @@ static const struct text_scene_shape colored_triangles[] = {
 };
 
 /* What the scenes draw: the lists and how long they are, by the number of the scene. */
-enum { THREE, FAR, LEAVING, CUT, FLAT, COLORED };
+enum { THREE, FAR, LEAVING, SPECIAL, COLORED };
 
 #define LIST(triangles)                                                                            \
     { triangles, sizeof(triangles) / sizeof(triangles)[0] }
@@ -149,8 +146,8 @@ static const struct {
     size_t count;
 } lists[] = {
     [THREE] = LIST(three_triangles),     [FAR] = LIST(far_triangles),
-    [LEAVING] = LIST(leaving_triangles), [CUT] = LIST(cut_triangles),
-    [FLAT] = LIST(flat_triangles),       [COLORED] = LIST(colored_triangles),
+    [LEAVING] = LIST(leaving_triangles), [SPECIAL] = LIST(special_triangles),
+    [COLORED] = LIST(colored_triangles),
 };
 
 static bool draw_outlines(struct drawing *drawing, struct image *image, struct error *error) {
@@ -178,11 +175,11 @@ static void draw_by_signs(struct drawing *drawing, struct image *image,
 static bool draw_signs(struct drawing *drawing, struct image *image, struct error *error) {
     enum { DOTS = 20 };
     (void)error;
-    static const int filled[] = {THREE, CUT, FLAT};
-    for (size_t k = 0; k < sizeof filled / sizeof filled[0]; k++) {
-        for (size_t i = 0; i < lists[filled[k]].count; i++) {
-            draw_by_signs(drawing, image, &lists[filled[k]].shapes[i]);
-        }
+    for (size_t i = 0; i < lists[THREE].count; i++) {
+        draw_by_signs(drawing, image, &three_triangles[i]);
+    }
+    for (size_t i = 0; i < lists[SPECIAL].count; i++) {
+        draw_by_signs(drawing, image, &special_triangles[i]);
     }
     for (int i = 0; i < DOTS; i++) {
         double x = 6 + 4 * i;
