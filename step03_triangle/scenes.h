@@ -223,6 +223,7 @@ enum {
     SHEET_CELLS = 14,
     SHEET_CELL = 12,   /* pixels */
     SHEET_MARGIN = 16, /* pixels */
+    SHEET_END = SHEET_MARGIN + SHEET_CELLS * SHEET_CELL,
     SHEET_TRIANGLES = 2 * SHEET_CELLS * SHEET_CELLS,
     FAN_BLADES = 24,
     FAN_REACH = 668 * SUBPIXELS + 91 /* the rim is 6 times as far from the middle */
@@ -281,6 +282,13 @@ static uint8_t place_in_fan(int i, const struct image *image, struct fixed2 corn
     corner[2] = fan_corner(i + 1, corner[0]);
     return (uint8_t)(90 + 17 * (i % 4));
 }
+
+/* The meshes, by the number of the scene. */
+enum { SHEET, FAN };
+static const struct covering meshes[] = {
+    [SHEET] = {place_in_sheet, SHEET_TRIANGLES, SHEET_MARGIN, SHEET_END},
+    [FAN] = {place_in_fan, FAN_BLADES, 0, SIZE_MAX},
+};
 
 /* What is known of a pixel of a mesh. */
 struct counted {
@@ -341,8 +349,7 @@ static void count_mesh(struct drawing *drawing, struct image *small, const struc
     }
 }
 
-static bool draw_counted(struct drawing *drawing, struct image *image, const struct covering *mesh,
-                         struct error *error) {
+static bool draw_mesh(struct drawing *drawing, struct image *image, struct error *error) {
     size_t width = (image->width + COUNT_ZOOM - 1) / COUNT_ZOOM;
     size_t height = (image->height + COUNT_ZOOM - 1) / COUNT_ZOOM;
     struct image small;
@@ -351,24 +358,13 @@ static bool draw_counted(struct drawing *drawing, struct image *image, const str
     }
     struct counted *counted = calloc(width * height, sizeof *counted);
     if (counted != NULL) {
-        count_mesh(drawing, &small, mesh, counted);
+        count_mesh(drawing, &small, &meshes[drawing->number], counted);
         show_counted(drawing, image, width, height, counted, COUNT_ZOOM);
     }
     bool done = counted != NULL || error_out_of_memory(error);
     free(counted);
     image_free(&small);
     return done;
-}
-
-static bool draw_sheet(struct drawing *drawing, struct image *image, struct error *error) {
-    const struct covering sheet = {place_in_sheet, SHEET_TRIANGLES, SHEET_MARGIN,
-                                   SHEET_MARGIN + SHEET_CELLS * SHEET_CELL};
-    return draw_counted(drawing, image, &sheet, error);
-}
-
-static bool draw_fan(struct drawing *drawing, struct image *image, struct error *error) {
-    const struct covering fan = {place_in_fan, FAN_BLADES, 0, SIZE_MAX};
-    return draw_counted(drawing, image, &fan, error);
 }
 
 /* ---- Text scenes ---- */
@@ -589,8 +585,8 @@ static const struct scene scenes[] = {
     {.name = "bust", .needs = NEEDS_MODEL, .width = 800, .height = 800, .draw = draw_bust},
     {.name = "triangle", .number = THREE, .draw = draw_list},
     {.name = "far", .width = 240, .height = 160, .number = FAR, .draw = draw_list},
-    {.name = "sheet", .width = 800, .height = 800, .draw = draw_sheet},
-    {.name = "fan", .width = 800, .height = 800, .draw = draw_fan},
+    {.name = "sheet", .width = 800, .height = 800, .number = SHEET, .draw = draw_mesh},
+    {.name = "fan", .width = 800, .height = 800, .number = FAN, .draw = draw_mesh},
     {.name = "faces", .needs = NEEDS_MODEL, .width = 800, .height = 800, .draw = draw_faces},
     {.name = "gradient", .width = 800, .height = 800, .number = COLORED, .draw = draw_list},
 };

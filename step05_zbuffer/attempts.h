@@ -44,6 +44,7 @@ static inline void attempt_triangle(struct image *image, const struct drawn *d, 
     }
 }
 
+/* Attempt 1, without a test: the order of the list, as in lesson 4. What comes last is seen. */
 static inline void attempt_draw(struct image *image, const struct drawn *list, size_t count,
                                 depth_test *test, void *buffer) {
     for (size_t i = 0; i < count; i++) {
@@ -52,12 +53,6 @@ static inline void attempt_draw(struct image *image, const struct drawn *list, s
 }
 
 /* ---- Without a depth for each pixel ---- */
-
-/* Attempt 1: the order of the list, as in lesson 4. What comes last is seen. */
-static inline void attempt_1_file_order(struct image *image, const struct drawn *list,
-                                        size_t count) {
-    attempt_draw(image, list, count, NULL, NULL);
-}
 
 static inline double attempt_mean_depth(const struct drawn *d) {
     return (d->v[0].depth + d->v[1].depth + d->v[2].depth) / 3;

@@ -170,7 +170,7 @@ static void run_knot(struct bench_choice choice) {
     struct canvas canvas = {.image = &bench.image, .depth = bench.buffer};
     memset(bench.image.pixels, 0, (size_t)SIDE * SIDE * 3);
     if (choice.way == FILE_ORDER) {
-        attempt_1_file_order(&bench.image, pile->list, pile->count);
+        attempt_draw(&bench.image, pile->list, pile->count, NULL, NULL);
     } else if (choice.way == PAINTER) {
         memcpy(bench.sorted, pile->list, pile->count * sizeof *pile->list);
         attempt_2_painter(&bench.image, bench.sorted, pile->count);
