@@ -84,7 +84,7 @@ static const struct pixel more_lines[][2] = {
 enum { SHORT_LINES = 64, TIE_LINES = SHORT_LINES + 2, TIES_WIDTH = 100, TIES_HEIGHT = 125 };
 enum { LISTED_LINES = SHORT_LINES + sizeof more_lines / sizeof more_lines[0] };
 
-/* Eight directions of eight lines, row by row from the bottom, all of which have ties; then these. */
+/* Eight directions of eight lines, row by row from the bottom, all with ties; then the others. */
 static void tie_line(int index, struct pixel *a, struct pixel *b) {
     if (index >= SHORT_LINES) {
         *a = more_lines[index - SHORT_LINES][0];

@@ -223,8 +223,8 @@ struct kind {
     double offset, scale;
 };
 
-/* The least whole step is 1 (far), so many others follow (the last: near), and half a step is added:
- * cutting off then rounds. */
+/* The least whole step is 1 (far); so many follow, up to the nearest. Half a step is added: cutting
+ * off then rounds. */
 #define STEPS(count) .offset = 1.5 - (count) / (RATIO - 1), .scale = (count) / (1 - 1 / RATIO)
 
 static const struct kind kinds[KINDS] = {
