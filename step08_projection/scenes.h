@@ -280,9 +280,13 @@ struct position {
     struct vertex vertex; /* without intensity and uv */
 };
 
+/* What becomes of a face that crosses the near plane: it is cut. Attempt 7 divides by any w, and
+ * attempt 8 leaves the face out. */
+enum attempt { CUT, UNCLIPPED, LEFT_OUT };
+
 struct state {
     struct position *positions; /* one for each position of the model */
-    int attempt;                /* at the near plane: 0 cut, 1 divided by any w, 2 left out */
+    enum attempt attempt;
 };
 
 /* Each position is transformed once, however many faces share it. */
@@ -432,10 +436,12 @@ static void draw_face(const struct drawing *drawing, struct canvas *canvas, size
     unsigned beyond_all = corner[0]->beyond & corner[1]->beyond & corner[2]->beyond;
     unsigned beyond_any = corner[0]->beyond | corner[1]->beyond | corner[2]->beyond;
     const bool crosses = (beyond_any & (BEYOND_NEAR | BEYOND_GUARD_BAND)) != 0;
-    if ((drawing->skip && (beyond_all & ~(unsigned)BEYOND_GUARD_BAND) != 0) ||
-        (crosses && state->attempt == 2)) {
+    if (state->attempt == UNCLIPPED) {
+        draw_whole(drawing, canvas, face, corner);
+    } else if ((drawing->skip && (beyond_all & ~(unsigned)BEYOND_GUARD_BAND) != 0) ||
+               (crosses && state->attempt == LEFT_OUT)) {
         canvas->faces_outside++; /* all of it is beyond one side, or it is left out */
-    } else if (crosses && state->attempt == 0) {
+    } else if (crosses) {
         struct polygon polygon = clip_face(corner[0]->clip, corner[1]->clip, corner[2]->clip);
         draw_clipped(drawing, canvas, face, &polygon);
     } else {
@@ -494,7 +500,7 @@ static void note_corner(struct drawing *drawing, const struct canvas *canvas,
 
 static void draw_faces(struct drawing *drawing, struct canvas *canvas, const struct mat4 *to_clip) {
     struct state *state = drawing->state;
-    state->attempt = (int)drawing_value(drawing, "attempt");
+    state->attempt = (enum attempt)drawing_value(drawing, "attempt");
     transform_positions(drawing, to_clip);
     for (size_t i = 0; drawing_take_part(drawing, i); i++) {
         canvas->texture = drawing->diffuse;
