@@ -12,19 +12,11 @@ static struct image called_sheet = {CALLED_SIDE, CALLED_SIDE, IMAGE_BGR, called_
 
 /* A texture whose texel (x,y) is `texel(x, y)`. */
 static struct texture called_made(int width, int height, struct color (*texel)(int x, int y)) {
-    struct texture texture = {0};
-    struct image image;
+    struct texture texture;
     struct error error;
-    if (!image_create(&image, (size_t)width, (size_t)height, IMAGE_BGRA, &error)) {
+    if (!paint_picture(&texture, width, height, texel, &error)) {
         exit(1);
     }
-    for (int i = 0; i < width * height; i++) {
-        image_set(&image, i % width, i / width, texel(i % width, i / width));
-    }
-    if (!texture_create(&texture, &image, &error)) {
-        exit(1);
-    }
-    image_free(&image);
     return texture;
 }
 
