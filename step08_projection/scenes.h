@@ -752,11 +752,14 @@ static void note_texel(struct drawing *drawing, const struct canvas *canvas,
                        const struct quad_model *made) {
     const int x = drawing->probe.x, y = drawing->probe.y;
     for (size_t face = 0; drawing->probed && face < made->model.face_count; face++) {
-        const struct corner *corner = made->model.faces[face].corner;
         const struct position *p[3];
+        struct vec2 uv[3];
+        double recip_w[3];
         struct edges edges;
-        for (int i = 0; i < 3; i++) {
-            p[i] = &made->places[corner[i].position];
+        for (size_t i = 0; i < 3; i++) {
+            p[i] = &made->places[made->model.faces[face].corner[i].position];
+            uv[i] = model_uv(&made->model, face, i);
+            recip_w[i] = p[i]->vertex.recip_w;
         }
         if (!p[0]->placed || !p[1]->placed || !p[2]->placed ||
             !edges_setup(&edges, p[0]->vertex.position, p[1]->vertex.position,
@@ -764,22 +767,14 @@ static void note_texel(struct drawing *drawing, const struct canvas *canvas,
             !edges_cover(&edges, x, y)) {
             continue;
         }
-        const struct vec3 weights = edges_weights(&edges, x, y);
-        const double weight[3] = {weights.x, weights.y, weights.z};
-        double u = 0, v = 0, u_by_w = 0, v_by_w = 0, recip_w = 0;
-        for (int i = 0; i < 3; i++) {
-            const float *uv = made->uvs[corner[i].uv];
-            const double part = weight[i] * p[i]->vertex.recip_w;
-            u += weight[i] * uv[0];
-            v += weight[i] * uv[1];
-            u_by_w += part * uv[0];
-            v_by_w += part * uv[1];
-            recip_w += part;
-        }
-        drawing_note(drawing, "u/w %.4f  v/w %.4f  1/w %.4f", u_by_w, v_by_w, recip_w);
-        drawing_note(drawing, "u %.4f  v %.4f  w %.4f", u_by_w / recip_w, v_by_w / recip_w,
-                     1 / recip_w);
-        drawing_note(drawing, "affine: u %.4f  v %.4f", u, v);
+        const struct vec3 screen = edges_weights(&edges, x, y),
+                          w = correct_weights(screen, recip_w);
+        const struct vec2 affine = vec2_interpolate(screen, uv[0], uv[1], uv[2]);
+        const struct vec2 right = vec2_interpolate(w, uv[0], uv[1], uv[2]);
+        const double by_w = interpolate(screen, recip_w[0], recip_w[1], recip_w[2]);
+        drawing_note(drawing, "u/w %.4f  v/w %.4f  1/w %.4f", right.x * by_w, right.y * by_w, by_w);
+        drawing_note(drawing, "u %.4f  v %.4f  w %.4f", right.x, right.y, 1 / by_w);
+        drawing_note(drawing, "affine: u %.4f  v %.4f", affine.x, affine.y);
     }
 }
 
