@@ -374,7 +374,8 @@ static lanes_mask steps_fragment(const void *uniforms, const lanes *varyings, la
     return lanes_all_set();
 }
 
-SHADER(in_steps, .varying_count = 1, .vertex = gouraud_vertex, .fragment = steps_fragment);
+static const struct shader in_steps = {
+    .varying_count = 1, .vertex = gouraud_vertex, .fragment = steps_fragment};
 
 /* With a square in full light next to it. */
 static bool draw_toon(struct drawing *drawing, struct image *image, struct error *error) {
