@@ -438,15 +438,14 @@ static void draw_plane(struct drawing *drawing, struct image *image, const struc
     note_texel(drawing, image, second, texture);
     texture = drawing_value(drawing, "colors") != 0 ? &state->picture[COLORED] : texture;
     const struct texture coarse = from_level(texture, (size_t)drawing_value(drawing, "level"));
-    texture = &coarse;
     static attempt_function *const attempts[] = {attempt_1_rounded, attempt_3_unshifted};
     const int attempt = (int)drawing_value(drawing, "attempt");
     if (attempt > 0) {
-        attempt_quad(image, corners, texture, attempts[attempt - 1]);
+        attempt_quad(image, corners, &coarse, attempts[attempt - 1]);
         return;
     }
-    perspective_triangle(&canvas, first, texture);
-    perspective_triangle(&canvas, second, texture);
+    perspective_triangle(&canvas, first, &coarse);
+    perspective_triangle(&canvas, second, &coarse);
     drawing_count(drawing, "pixels_written", canvas.pixels_written);
     drawing_count(drawing, "texels_fetched", canvas.texels_fetched);
 }

@@ -435,11 +435,10 @@ static void draw_face(const struct drawing *drawing, struct canvas *canvas, size
                                   &state->positions[c[2].position]};
     unsigned beyond_all = corner[0]->beyond & corner[1]->beyond & corner[2]->beyond;
     unsigned beyond_any = corner[0]->beyond | corner[1]->beyond | corner[2]->beyond;
-    const bool crosses = (beyond_any & (BEYOND_NEAR | BEYOND_GUARD_BAND)) != 0;
-    if (state->attempt == UNCLIPPED) {
-        draw_whole(drawing, canvas, face, corner);
-    } else if ((drawing->skip && (beyond_all & ~(unsigned)BEYOND_GUARD_BAND) != 0) ||
-               (crosses && state->attempt == LEFT_OUT)) {
+    const bool clips = state->attempt != UNCLIPPED;
+    const bool crosses = clips && (beyond_any & (BEYOND_NEAR | BEYOND_GUARD_BAND)) != 0;
+    if ((clips && drawing->skip && (beyond_all & ~(unsigned)BEYOND_GUARD_BAND) != 0) ||
+        (crosses && state->attempt == LEFT_OUT)) {
         canvas->faces_outside++; /* all of it is beyond one side, or it is left out */
     } else if (crosses) {
         struct polygon polygon = clip_face(corner[0]->clip, corner[1]->clip, corner[2]->clip);
