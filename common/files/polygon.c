@@ -123,19 +123,16 @@ static bool is_spike(const struct polygon_node *nodes, uint32_t index) {
            (a->x - tip->x) * (b->x - tip->x) + (a->y - tip->y) * (b->y - tip->y) >= 0;
 }
 
-static bool is_ear(struct polygon_cutter *cutter, uint32_t index) {
-    struct polygon_node *nodes = cutter->nodes;
-    const struct polygon_node *b = &nodes[index], *a = &nodes[b->previous], *c = &nodes[b->next];
+static bool is_ear(const struct polygon_cutter *cutter, uint32_t index) {
+    const struct polygon_node *nodes = cutter->nodes, *b = &nodes[index];
+    const struct polygon_node *a = &nodes[b->previous], *c = &nodes[b->next];
     if (b->turn <= 0) { /* a point of a straight side stays */
         return is_spike(nodes, index);
     }
-    for (size_t i = cutter->dent_count; i-- > 0;) {
-        struct polygon_node *p = &nodes[cutter->dents[i]];
-        if (p->turn > 0) { /* no longer a dent */
-            p->is_listed = false;
-            cutter->dents[i] = cutter->dents[--cutter->dent_count];
-        } else if (orientation(a, b, p) >= 0 && orientation(b, c, p) >= 0 &&
-                   orientation(c, a, p) >= 0 && !leaves_ear(nodes, b, p)) {
+    for (size_t i = 0; i < cutter->dent_count; i++) {
+        const struct polygon_node *p = &nodes[cutter->dents[i]];
+        if (p->turn <= 0 && orientation(a, b, p) >= 0 && orientation(b, c, p) >= 0 &&
+            orientation(c, a, p) >= 0 && !leaves_ear(nodes, b, p)) {
             return false;
         }
     }
