@@ -188,6 +188,7 @@ static void test_files(void) {
     put_picture(&place, "m_diffuse.png", color_rgb(1, 2, 3));
     if (CHECK_ROW(model_read(&m, path, &error), error.message)) {
         CHECK(m.material_count == 3 && m.warning_line[MODEL_MATERIALS_MISSING] == 0);
+        CHECK(m.materials[1].color[2] == 0.6F);
         CHECK(model_has_materials(&m) && strstr(m.materials[0].texture, "/red.png") != NULL);
     }
     model_free(&m);
