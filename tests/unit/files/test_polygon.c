@@ -350,6 +350,14 @@ static struct vec3 bowl(size_t i, size_t size) {
     return i + 1 < size ? (struct vec3){x, x * (1 - x), 0} : (struct vec3){0.5, 10, 0};
 }
 
+/* Out and back: there are few ears at a time. */
+static struct vec3 spiral(size_t i, size_t size) {
+    bool out = i < size / 2;
+    double angle = 2 + 120 * (double)(out ? i : size - 1 - i) / (double)size;
+    double radius = out ? angle : angle - 1;
+    return (struct vec3){radius * cos(angle), radius * sin(angle), 0};
+}
+
 /* Up to the limit polygons are cut before long; a cutter goes on after one that is too large. */
 static void test_many_corners(void) {
     static const struct {
@@ -359,7 +367,8 @@ static void test_many_corners(void) {
     } rows[] = {
         {cap, 200000, POLYGON_CUT},
         {gear, POLYGON_CORNER_LIMIT + 1, POLYGON_TOO_LARGE},
-        {gear, POLYGON_CORNER_LIMIT, POLYGON_CUT},
+        {spiral, POLYGON_CORNER_LIMIT, POLYGON_CUT},
+        {gear, 4000, POLYGON_CUT},
         {comb, 4000, POLYGON_CUT},
         {bowl, 4000, POLYGON_CUT},
     };
