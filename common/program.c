@@ -412,10 +412,9 @@ static void print_counters(const struct stage *stage) {
     }
 }
 
-/* How much was read, in all. */
+/* How many textures there are and were read, in all. */
 static void print_loaded(const struct run *run) {
     const struct loaded loaded = run_loaded(run);
-    printf("files.bytes_read: %llu\n", (unsigned long long)loaded.bytes);
     printf("files.textures_present: %llu\n", (unsigned long long)loaded.textures_present);
     printf("files.textures_read: %llu\n", (unsigned long long)loaded.textures_read);
 }

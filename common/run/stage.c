@@ -129,8 +129,6 @@ struct scene scene_complete(const struct program *program, const struct scene *g
 
 struct loaded run_loaded(const struct run *run) {
     struct loaded loaded = run->unloaded;
-    loaded.bytes += run->model.bytes_read;
-    loaded.bytes += run->parts.bytes_read;
     loaded.textures_present += model_textures_present(&run->model);
     for (int kind = 0; kind < MODEL_TEXTURE_KINDS; kind++) {
         loaded.textures_read += run->model.textures[kind].level_count > 0;

@@ -12,7 +12,7 @@
 
 /* What was read, for --stats. */
 struct loaded {
-    uint64_t bytes, textures_read, textures_present;
+    uint64_t textures_read, textures_present;
 };
 
 /* What the scenes of one run share. Set the first part, leave the second zero. */

@@ -93,11 +93,8 @@ static void test_parts(void) {
                              first->diffuse.texels == second->diffuse.texels &&
                              first->specular_weight == -1 && first->power == 5 &&
                              second->specular.level_count == 0 && second->specular_weight == 0.5));
-            uint64_t bytes = parts.bytes_read;
             size_t pictures = parts.picture_count;
-            CHECK(i != 1 || bytes == file_size(name_file(&place, "red.png")));
-            CHECK(parts_make(&parts, &model, &missing, &error) && parts.bytes_read == bytes);
-            CHECK(parts.picture_count == pictures);
+            CHECK(parts_make(&parts, &model, &missing, &error) && parts.picture_count == pictures);
             for (size_t k = 0; k < parts.count; k++) {
                 describe(&parts, k, again, sizeof again);
             }

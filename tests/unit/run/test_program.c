@@ -706,15 +706,11 @@ static void test_stats_of_files(void) {
     uint8_t white = 255;
     const struct image image = {1, 1, IMAGE_GREY, &white};
     struct error error;
-    static char expected[200];
     put_file("mapped.obj", mapped_obj);
     CHECK(tga_write(&image, in_directory("mapped_nm.tga"), &error));
     CHECK(tga_write(&image, in_directory("mapped_diffuse.tga"), &error));
     CHECK(run(&needs_program, "-o out --only diffuse --stats mapped.obj") == 0);
-    snprintf(expected, sizeof expected,
-             "files.bytes_read: %zu\nfiles.textures_present: 2\nfiles.textures_read: 1\n",
-             strlen(mapped_obj) + (size_t)file_size(in_directory("mapped_diffuse.tga")));
-    CHECK(strstr(output, expected) != NULL);
+    CHECK(strstr(output, "files.textures_present: 2\nfiles.textures_read: 1\n") != NULL);
     CHECK(run(&needs_program, "-o out --only plain --stats mapped.obj") == 0);
     CHECK(strstr(output, "files.") == NULL);
 }
