@@ -157,8 +157,6 @@ static void judge_picture(const struct judging *judging, size_t i, const struct 
             likeness = looks_find(&judging->looks[i], reference, yours, apart);
         }
         looks_compare(&judging->looks[i], yours);
-        item->looks_path =
-            looks_small_path(judging->options->looks, judging->step->name, item->scene);
         item->looks_row = likeness.row;
         item->seen = seen_find(reference, yours);
     }

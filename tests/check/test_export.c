@@ -126,7 +126,7 @@ static void test_figures(void) {
     bytes_free(&f.step.messages);
 }
 
-/* A counter's look is written as a picture's is, without small pictures. */
+/* A counter's look is written as a picture's is. */
 static void test_counters(void) {
     struct fixture f;
     set_up(&f, RESULT_FAIL, "five");

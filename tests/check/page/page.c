@@ -46,26 +46,14 @@ static bool put_figure(struct bytes *page, const char *scene, const char *name,
     return done || (encoded && error_out_of_memory(error));
 }
 
-/* What it looks like, and the two small pictures by which that is seen. */
-static bool put_looks(struct bytes *page, const struct page_scene *scene, struct error *error) {
-    if (scene->looks == NULL) {
-        return true;
-    }
-    bool done = markup_print(page, "<aside class=looks><p>%s</p>\n", scene->looks) ||
-                error_out_of_memory(error);
-    if (done && scene->mistake->width > 0) {
-        done = put_figure(page, scene->name, "the mistake", scene->mistake, error) &&
-               put_figure(page, scene->name, "yours, as small", scene->small, error);
-    }
-    return done && (markup_print(page, "</aside>\n") || error_out_of_memory(error));
-}
-
 bool page_scene(struct bytes *page, const struct page_scene *scene, struct error *error) {
     const unsigned level = (unsigned)scene->level;
     bool done = (markup_print(page, "<section>\n<h%u>%s</h%u>\n<p>%s</p>\n", level, scene->name,
                               level, scene->note) ||
                  error_out_of_memory(error)) &&
-                put_looks(page, scene, error) &&
+                (scene->looks == NULL ||
+                 markup_print(page, "<aside class=looks><p>%s</p>\n</aside>\n", scene->looks) ||
+                 error_out_of_memory(error)) &&
                 (markup_print(page, "<div class=pictures>\n") || error_out_of_memory(error));
     for (int i = 0; i < PICTURE_COUNT && done; i++) {
         const struct image *image = &scene->pictures->image[i];
