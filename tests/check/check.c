@@ -87,8 +87,10 @@ static bool export_all(const struct options *options, const struct check_result 
         const char *path;
         export_function *write;
     } exports[] = {
-        {options->junit, export_junit}, {options->json, export_json}, {options->tap, export_tap},
-        {options->html, export_html},   {options->csv, export_csv},
+        {options->junit, export_junit},
+        {options->json, export_json},
+        {options->html, export_html},
+        {options->csv, export_csv},
     };
     bool done = true;
     for (size_t i = 0; i < sizeof exports / sizeof exports[0]; i++) {

@@ -228,45 +228,11 @@ bool export_json(struct bytes *report, const struct check_result *result, struct
     return finish(&writer, error);
 }
 
-/* ---- TAP ---- */
-
-static void tap_item(struct writer *writer, unsigned number, const struct step_result *step,
-                     const struct item_result *item) {
-    const char *message = message_of(step, item);
-    put(writer, item->state == RESULT_PASS ? "ok" : "not ok");
-    put(writer, " %u - %s %s%s%s", number, step->name, item->scene, blank_of(item), item->counter);
-    if (item->state == RESULT_TODO) {
-        put(writer, " # TODO %s", message);
-    }
-    put(writer, "\n# %s %u/%u%s%s\n", result_state_name(item->state), item->points,
-        item->credit->points, message[0] != '\0' ? ": " : "", message);
-}
-
-bool export_tap(struct bytes *report, const struct check_result *result, struct error *error) {
-    struct writer writer = {.report = report, .escape = escape_tap};
-    unsigned number = 0;
-    for (size_t i = 0; i < result->step_count; i++) {
-        number += (unsigned)result->steps[i].item_count;
-    }
-    put(&writer, "TAP version 13\n1..%u\n", number);
-    if (has_note(result)) {
-        put(&writer, "# %s\n", result->note);
-    }
-    number = 0;
-    for (size_t i = 0; i < result->step_count; i++) {
-        const struct step_result *step = &result->steps[i];
-        for (size_t k = 0; k < step->item_count; k++) {
-            tap_item(&writer, ++number, step, &step->items[k]);
-        }
-    }
-    return finish(&writer, error);
-}
-
 /* ---- CSV ---- */
 
 /* Its texts are names of the table of scenes, which are plain. */
 bool export_csv(struct bytes *report, const struct check_result *result, struct error *error) {
-    struct writer writer = {.report = report, .escape = escape_tap};
+    struct writer writer = {.report = report, .escape = escape_json};
     put(&writer, "step,task,state,points,most\n");
     for (size_t i = 0; i < result->step_count; i++) {
         const struct step_result *step = &result->steps[i];

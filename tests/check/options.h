@@ -15,12 +15,12 @@ struct options {
     const char *only;    /* judge just this scene; "" means all */
     const char *shares;  /* a file to add each picture's numbers to, or "" */
     const char *counted; /* one to add to what shows a mistake that no picture shows, or "" */
-    const char *junit, *json, *tap, *html, *csv; /* files for reports, or "" */
-    const char *note;                            /* a line for the reports, or "" */
-    double seconds;                              /* for one step's program */
-    double build_seconds;                        /* for building it */
-    bool exact;                                  /* every pixel of every scene must be equal */
-    bool sanitized;                              /* the programs say in which line they crash */
+    const char *junit, *json, *html, *csv; /* files for reports, or "" */
+    const char *note;                      /* a line for the reports, or "" */
+    double seconds;                        /* for one step's program */
+    double build_seconds;                  /* for building it */
+    bool exact;                            /* every pixel of every scene must be equal */
+    bool sanitized;                        /* the programs say in which line they crash */
     bool person; /* standard output is a terminal, and VERBOSE is not in the environment */
 };
 

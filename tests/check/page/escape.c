@@ -52,10 +52,6 @@ static const char *json_of(char character) {
                                : NULL;
 }
 
-static const char *tap_of(char character) {
-    return character == '#' || character == '\n' ? " " : NULL;
-}
-
 static bool escape(struct bytes *out, const char *text, entity_function *find) {
     char *printable = printable_lines(text);
     bool done = printable != NULL;
@@ -74,10 +70,6 @@ bool escape_markup(struct bytes *out, const char *text) {
 
 bool escape_json(struct bytes *out, const char *text) {
     return escape(out, text, json_of);
-}
-
-bool escape_tap(struct bytes *out, const char *text) {
-    return escape(out, text, tap_of);
 }
 
 bool escape_print(struct bytes *out, escape_function *escape_text, const char *format,

@@ -11,9 +11,8 @@
  * becomes '?', a tab a blank; lines stay lines. */
 typedef bool escape_function(struct bytes *out, const char *text);
 
-/* As text or attribute of HTML or XML; within a string of JSON; on the one line of TAP, where '#'
- * begins a directive. */
-escape_function escape_markup, escape_json, escape_tap;
+/* As text or attribute of HTML or XML; within a string of JSON. */
+escape_function escape_markup, escape_json;
 
 /* Append the format, of which each %s is text that is escaped, each %u a number; there is nothing
  * else behind a %. False when memory runs out. */

@@ -6,7 +6,7 @@
 # everything else is the course's own. Its programs are built and run by contain.sh.
 #
 # OUT/submissions/NAME becomes: state (GRADED, or ERROR and a reason), seconds, report.html, .xml,
-# .json, .tap and .csv, log (what the check said), hidden (with SEED), sources, and of: sums of the
+# .json and .csv, log (what the check said), hidden (with SEED), sources, and of: sums of the
 # submission, LESSONS and SEED. It comes as a whole or not at all, and what is there is not done
 # again while it is of the same: so a class that was stopped goes on where it was. NAME is that of the
 # submission, with %20 for a blank.
@@ -104,7 +104,7 @@ limited() {
 limited "$work/result/log" "$build/check" --programs "$place_short" \
     --sources "$place/sources" --differences "$work/result/differences" \
     --make "$make" --note "$(contain_note)" --junit "$work/result/report.xml" \
-    --json "$work/result/report.json" --tap "$work/result/report.tap" \
+    --json "$work/result/report.json" \
     --html "$work/result/report.html" --csv "$work/result/report.csv" $lessons
 status=$?
 rm -rf "$work/result/differences"
