@@ -227,20 +227,3 @@ bool export_json(struct bytes *report, const struct check_result *result, struct
     put(&writer, "  ]\n}\n");
     return finish(&writer, error);
 }
-
-/* ---- CSV ---- */
-
-/* Its texts are names of the table of scenes, which are plain. */
-bool export_csv(struct bytes *report, const struct check_result *result, struct error *error) {
-    struct writer writer = {.report = report, .escape = escape_json};
-    put(&writer, "step,task,state,points,most\n");
-    for (size_t i = 0; i < result->step_count; i++) {
-        const struct step_result *step = &result->steps[i];
-        for (size_t k = 0; k < step->task_count; k++) {
-            const struct task_result *task = &step->tasks[k];
-            put(&writer, "%s,%s,%s,%u,%u\n", step->name, task->name.text,
-                result_state_name(task->state), task->points, task->most);
-        }
-    }
-    return finish(&writer, error);
-}

@@ -71,9 +71,7 @@ static char *note_of(const struct item_result *item) {
 static bool read_pictures(struct pictures *pictures, const struct step_result *step,
                           const struct item_result *item, const char *references,
                           struct error *error) {
-    char *reference = item->reference.text[0] != '\0'
-                          ? string_format("%s", item->reference.text)
-                          : string_format("%s/%s/%s.png", references, step->name, item->scene);
+    char *reference = string_format("%s/%s/%s.png", references, step->name, item->scene);
     bool done = reference != NULL &&
                 pictures_read(pictures, item->yours.text, reference, item->rule, error);
     free(reference);
