@@ -49,7 +49,7 @@ static void make_soup(struct mesh *mesh, struct random *random) {
 
 struct uniforms {
     const struct model *model;
-    size_t first_face, varying_count;
+    size_t first_face;
 };
 
 static void number_vertex(const void *uniforms, size_t face, size_t corner, double *varyings) {
@@ -85,7 +85,7 @@ static bool frame_begin(int way) {
 
 static void frame_draw(const struct mesh *mesh, struct mat4 to_clip, const struct shader *shader) {
     struct error error;
-    struct uniforms uniforms = {&mesh->model, faces_drawn, shader->varying_count};
+    struct uniforms uniforms = {&mesh->model, faces_drawn};
     struct draw_call call = {
         .model = &mesh->model, .to_clip = to_clip, .viewport = {0, 0, SIZE, SIZE}};
     CHECK(pipeline_draw(&target.pipeline, &call, shader, &uniforms, sizeof uniforms, &error));
