@@ -322,6 +322,7 @@ static void keep_before(const struct call_band *band, struct span rows) {
 /* Cover and shade each piece before the next one is covered. */
 static void draw_pieces(struct call_band *band) {
     const struct span numbers = band->numbers;
+    const struct cover_how how = {false, band->frame->pipeline->counts_tests};
     for (int i = numbers.begin; i < numbers.end; i++) {
         const struct fixed2 *c = band->scratch->pieces[i]->corner;
         band->numbers = (struct span){i, i + 1};
@@ -330,7 +331,7 @@ static void draw_pieces(struct call_band *band) {
         if (band->call->shader->discards) {
             keep_before(band, span_overlap(box_centers(c[0].y, c[1].y, c[2].y), band->rows));
         }
-        cover_piece(band, (uint32_t)i + 1, (struct cover_how){false, true});
+        cover_piece(band, (uint32_t)i + 1, how);
         band->scratch->fetched[i + 1] = 1;
         shade(band);
     }
