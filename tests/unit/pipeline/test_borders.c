@@ -9,7 +9,7 @@
 #include <stdatomic.h>
 #include <stdlib.h>
 
-enum { FACE_LIMIT = 10000, CALL_LIMIT = 3 };
+enum { FACE_LIMIT = 5000, CALL_LIMIT = 3 };
 
 /* ---- Scenes ---- */
 
