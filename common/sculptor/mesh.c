@@ -54,48 +54,40 @@ void mesh_add_face(struct mesh *mesh, struct mesh_corner a, struct mesh_corner b
 
 /* ---- Both halves of the bust ---- */
 
-/* What one grid point has become in the mesh, on either side; NONE until it is needed. */
-enum { LEFT, RIGHT, NONE = -1 };
+enum { LEFT, RIGHT, NONE = -1, BASE_NORMAL = 0 };
 
+/* What a grid point has become in the mesh on either side. Where both sides share it, that on the
+ * left counts; NONE until it is needed. Normal i + 1 is that of place i. */
 struct grid_corner {
-    int place[2], uv[2], normal[2];
+    int place[2], uv[2];
 };
 
-static void add_grid_corner(struct mesh *mesh, const struct surface *surface, int vertex, int side,
-                            struct grid_corner *corners) {
+static struct mesh_corner add_grid_corner(struct mesh *mesh, const struct surface *surface,
+                                          int vertex, int side, struct grid_corner *made) {
     int column = surface_column(surface, vertex), row = surface_row(surface, vertex);
-    struct grid_corner *corner = &corners[vertex];
-    if (corner->place[side] == NONE) {
-        struct vec3 p = surface->place[vertex];
+    int *place = &made->place[surface_is_in_mirror(surface, vertex) ? LEFT : side];
+    int *uv = &made->uv[column == 0 ? LEFT : side];
+    if (*place == NONE) {
+        struct vec3 p = surface->points[vertex].place;
         p.x = side == LEFT ? p.x : -p.x;
-        corner->place[side] = mesh_add_place(mesh, p);
-        corner->normal[side] = mesh_add_normal(mesh, (struct vec3){0, 0, 0});
-        if (surface_is_in_mirror(surface, vertex)) { /* both sides share it */
-            corner->place[1 - side] = corner->place[side];
-            corner->normal[1 - side] = corner->normal[side];
-        }
+        *place = mesh_add_place(mesh, p);
+        mesh_add_normal(mesh, (struct vec3){0, 0, 0});
     }
-    if (corner->uv[side] == NONE && !surface_is_pole(surface, vertex)) {
+    if (*uv == NONE && !surface_is_pole(surface, vertex)) {
         double u = 0.5 * column / surface->columns;
-        corner->uv[side] =
-            mesh_add_uv(mesh, side == LEFT ? 0.5 + u : 0.5 - u, (double)row / surface->rows);
-        if (column == 0) {
-            corner->uv[1 - side] = corner->uv[side];
-        }
+        *uv = mesh_add_uv(mesh, side == LEFT ? 0.5 + u : 0.5 - u, (double)row / surface->rows);
     }
+    return (struct mesh_corner){.place = *place, .uv = *uv, .normal = *place + 1};
 }
 
 static void add_grid_triangle(struct mesh *mesh, const struct surface *surface,
                               const struct grid_triangle *triangle, int side,
-                              struct grid_corner *corners, int base_normal) {
+                              struct grid_corner *corners) {
     struct mesh_corner made[3];
     bool flat_base = true;
     for (int k = 0; k < 3; k++) {
         int vertex = triangle->corner[k];
-        add_grid_corner(mesh, surface, vertex, side, corners);
-        made[k] = (struct mesh_corner){.place = corners[vertex].place[side],
-                                       .uv = corners[vertex].uv[side],
-                                       .normal = corners[vertex].normal[side]};
+        made[k] = add_grid_corner(mesh, surface, vertex, side, &corners[vertex]);
         flat_base &= surface_row(surface, vertex) <= SURFACE_BASE_ROWS;
     }
     for (int k = 0; k < 3; k++) {
@@ -105,7 +97,7 @@ static void add_grid_triangle(struct mesh *mesh, const struct surface *surface,
             made[k].uv = mesh_add_uv(mesh, (a[0] + b[0]) / 2, triangle->corner[k] == 0 ? 0 : 1);
         }
         if (flat_base) {
-            made[k].normal = base_normal;
+            made[k].normal = BASE_NORMAL;
         }
     }
     mesh_add_face(mesh, made[0], side == LEFT ? made[1] : made[2],
@@ -114,7 +106,7 @@ static void add_grid_triangle(struct mesh *mesh, const struct surface *surface,
 
 /* Each normal becomes the weighted mean of those of the faces that name it (Nelson Max, "Weights
  * for computing vertex normals from facet normals", 1999: exact on a sphere; needs no angle). */
-static void average_normals(struct mesh *mesh, int fixed_normal) {
+static void average_normals(struct mesh *mesh) {
     for (int i = 0; i < mesh->face_count; i++) {
         const struct mesh_corner *face = mesh->faces[i];
         for (int k = 0; k < 3; k++) {
@@ -122,7 +114,7 @@ static void average_normals(struct mesh *mesh, int fixed_normal) {
             struct vec3 a = vec3_sub(mesh->places[face[(k + 1) % 3].place], place);
             struct vec3 b = vec3_sub(mesh->places[face[(k + 2) % 3].place], place);
             struct vec3 *sum = &mesh->normals[face[k].normal];
-            if (face[k].normal != fixed_normal) {
+            if (face[k].normal != BASE_NORMAL) {
                 double weight = 1 / (vec3_dot(a, a) * vec3_dot(b, b));
                 *sum = vec3_add(*sum, vec3_scale(vec3_cross(a, b), weight));
             }
@@ -134,7 +126,7 @@ static void average_normals(struct mesh *mesh, int fixed_normal) {
 }
 
 /* In a sharp fold the mean of the faces may look away from one of them: turn it until it agrees. */
-static void turn_normals_to_faces(struct mesh *mesh, int fixed_normal) {
+static void turn_normals_to_faces(struct mesh *mesh) {
     for (int round = 0; round < 40; round++) {
         for (int i = 0; i < mesh->face_count; i++) {
             const struct mesh_corner *face = mesh->faces[i];
@@ -144,7 +136,7 @@ static void turn_normals_to_faces(struct mesh *mesh, int fixed_normal) {
             for (int k = 0; k < 3; k++) {
                 struct vec3 *normal = &mesh->normals[face[k].normal];
                 double agreement = vec3_dot(out, *normal);
-                if (agreement < 0.05 && face[k].normal != fixed_normal) {
+                if (agreement < 0.05 && face[k].normal != BASE_NORMAL) {
                     *normal = vec3_add(*normal, vec3_scale(out, 0.06 - agreement));
                     *normal = vec3_normalized(*normal);
                 }
@@ -163,35 +155,31 @@ bool mesh_from_surface(struct mesh *mesh, const struct surface *surface,
         return false;
     }
     for (size_t i = 0; i < grid; i++) {
-        corners[i] = (struct grid_corner){{NONE, NONE}, {NONE, NONE}, {NONE, NONE}};
+        corners[i] = (struct grid_corner){{NONE, NONE}, {NONE, NONE}};
     }
-    int base_normal = mesh_add_normal(mesh, (struct vec3){0, -1, 0});
+    mesh_add_normal(mesh, (struct vec3){0, -1, 0}); /* BASE_NORMAL */
     for (int side = LEFT; side <= RIGHT; side++) {
         for (size_t i = 0; i < count; i++) {
-            add_grid_triangle(mesh, surface, &triangles[i], side, corners, base_normal);
+            add_grid_triangle(mesh, surface, &triangles[i], side, corners);
         }
     }
     free(corners);
-    average_normals(mesh, base_normal);
-    turn_normals_to_faces(mesh, base_normal);
+    average_normals(mesh);
+    turn_normals_to_faces(mesh);
     return true;
 }
 
 /* ---- Files ---- */
 
-/* After `before`, six decimals, written from an integer so that every C library prints the same
- * digits. */
-static bool append_number(struct bytes *out, const char *before, double value) {
-    long long millionths = (long long)floor(value * 1e6 + 0.5);
-    long long size = millionths < 0 ? -millionths : millionths;
-    return bytes_print(out, "%s%s%lld.%06lld", before, millionths < 0 ? "-" : "", size / 1000000,
-                       size % 1000000);
+/* Rounded to six decimals here, so that every C library prints the same digits. */
+static double millionths(double value) {
+    return floor(value * 1e6 + 0.5) / 1e6;
 }
 
 /* A line, which begins with `start`. */
 static bool append_point(struct bytes *out, const char *start, struct vec3 p) {
-    return append_number(out, start, p.x) && append_number(out, " ", p.y) &&
-           append_number(out, " ", p.z) && bytes_print(out, "\n");
+    return bytes_print(out, "%s%.6f %.6f %.6f\n", start, millionths(p.x), millionths(p.y),
+                       millionths(p.z));
 }
 
 static bool append_obj(struct bytes *out, const struct mesh *mesh, const char *comment) {
@@ -200,8 +188,8 @@ static bool append_obj(struct bytes *out, const struct mesh *mesh, const char *c
         done = append_point(out, "v ", mesh->places[i]);
     }
     for (int i = 0; done && i < mesh->uv_count; i++) {
-        done = append_number(out, "vt ", mesh->uvs[i][0]) &&
-               append_number(out, " ", mesh->uvs[i][1]) && bytes_print(out, "\n");
+        const double *uv = mesh->uvs[i];
+        done = bytes_print(out, "vt %.6f %.6f\n", millionths(uv[0]), millionths(uv[1]));
     }
     for (int i = 0; done && i < mesh->normal_count; i++) {
         done = append_point(out, "vn ", mesh->normals[i]);

@@ -21,6 +21,7 @@
 
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 enum {
     TEXTURE_SIZE = 1024,
@@ -29,23 +30,15 @@ enum {
     HALF_FACES = 2490 /* of the bust */
 };
 
-/* "DIR/name" in `path`; false when it does not fit. */
-static bool join_path(char path[4096], const char *directory, const char *name,
-                      struct error *error) {
-    int length = snprintf(path, 4096, "%s/%s", directory, name);
-    return (length > 0 && length < 4096) || error_set(error, "%s: the path is too long", directory);
-}
+/* "DIR/name" */
+struct path {
+    char text[4096];
+};
 
-static bool write_mesh(const struct mesh *mesh, const char *comment, const char *directory,
-                       const char *name, struct error *error) {
-    char path[4096];
-    return join_path(path, directory, name, error) && mesh_write(mesh, comment, path, error);
-}
-
-static bool write_image(const struct image *image, const char *directory, const char *name,
-                        struct error *error) {
-    char path[4096];
-    return join_path(path, directory, name, error) && tga_write(image, path, error);
+static struct path path_in(const char *directory, const char *name) {
+    struct path path;
+    snprintf(path.text, sizeof path.text, "%s/%s", directory, name);
+    return path;
 }
 
 static bool write_mesh_of_bust(const struct surface *surface, int coarser, const char *directory,
@@ -56,8 +49,8 @@ static bool write_mesh_of_bust(const struct surface *surface, int coarser, const
     bool done = (simplify(surface, (size_t)(HALF_FACES / coarser), &triangles, &count) &&
                  mesh_from_surface(&mesh, surface, triangles, count)) ||
                 error_set(error, "out of memory for the bust");
-    done = done && write_mesh(&mesh, "A bust, sculpted by common/sculptor/sculpt.c", directory,
-                              "bust.obj", error);
+    done = done && mesh_write(&mesh, "A bust, sculpted by common/sculptor/sculpt.c",
+                              path_in(directory, "bust.obj").text, error);
     mesh_free(&mesh);
     free(triangles);
     return done;
@@ -71,9 +64,9 @@ static bool write_bust(int coarser, const char *directory, struct error *error) 
     struct skin skin = {0};
     bool done = write_mesh_of_bust(&surface, coarser, directory, error) &&
                 skin_create(&skin, &surface, (size_t)(TEXTURE_SIZE / coarser), error) &&
-                write_image(&skin.diffuse, directory, "bust_diffuse.tga", error) &&
-                write_image(&skin.normals, directory, "bust_nm.tga", error) &&
-                write_image(&skin.specular, directory, "bust_spec.tga", error);
+                tga_write(&skin.diffuse, path_in(directory, "bust_diffuse.tga").text, error) &&
+                tga_write(&skin.normals, path_in(directory, "bust_nm.tga").text, error) &&
+                tga_write(&skin.specular, path_in(directory, "bust_spec.tga").text, error);
     skin_free(&skin);
     surface_free(&surface);
     return done;
@@ -82,17 +75,19 @@ static bool write_bust(int coarser, const char *directory, struct error *error) 
 static bool write_solids(const char *directory, struct error *error) {
     struct mesh mesh;
     bool done = solid_sphere(&mesh, 48, 24) || error_set(error, "out of memory for the sphere");
-    done = done && write_mesh(&mesh, "A sphere of radius 0.9", directory, "sphere.obj", error);
+    done = done && mesh_write(&mesh, "A sphere of radius 0.9",
+                              path_in(directory, "sphere.obj").text, error);
     mesh_free(&mesh);
     done = done && (solid_knot(&mesh, 96, 12) || error_set(error, "out of memory for the knot"));
-    done = done && write_mesh(&mesh, "A trefoil knot", directory, "knot.off", error);
+    done = done && mesh_write(&mesh, "A trefoil knot", path_in(directory, "knot.off").text, error);
     mesh_free(&mesh);
     return done;
 }
 
 int main(int argc, char **argv) {
     int coarser = argc == 3 ? atoi(argv[2]) : 1;
-    if (argc < 2 || argc > 3 || argv[1][0] == '\0' || coarser < 1 || coarser > 8) {
+    size_t length = argc > 1 ? strlen(argv[1]) : 0;
+    if (argc > 3 || length < 1 || length > 4000 || coarser < 1 || coarser > 8) {
         fprintf(stderr, "usage: sculpt DIR [COARSER]\n");
         return 2;
     }

@@ -17,7 +17,6 @@
 
 #include <assert.h>
 #include <stdlib.h>
-#include <string.h>
 
 enum { NONE = -1, VALENCE_LIMIT = 11, NEIGHBOUR_LIMIT = 64 };
 
@@ -28,21 +27,25 @@ struct quadric {
     double term[TERMS];
 };
 
-/* A possible collapse of vertex `from` onto `to`; out of date when either has changed since. */
+/* A possible collapse of vertex `from` onto `to`; out of date when its price has changed since. */
 struct collapse {
     double price;
     int from, to;
-    int from_stamp, to_stamp;
+};
+
+struct vertex {
+    struct vec3 place;
+    double importance;
+    struct quadric quadric;
+    int first_corner; /* 3 * triangle + 0..2, or NONE */
 };
 
 struct workshop {
     const struct surface *surface;
-    size_t triangle_count, alive_count;
+    struct vertex *vertices; /* one a grid point */
     struct grid_triangle *triangles;
-    int *first_corner; /* of each vertex; a corner is 3 * triangle + 0..2 */
-    int *next_corner;  /* the next corner at the same vertex, or NONE */
-    struct quadric *quadrics;
-    int *stamps; /* of each vertex: how often it has changed; NONE once it is gone */
+    size_t triangle_count, alive_count;
+    int *next_corner; /* the next corner at the same vertex, or NONE */
     struct collapse *heap;
     size_t heap_count, heap_capacity;
 };
@@ -87,11 +90,12 @@ static double quadric_at(const struct quadric *quadric, struct vec3 p) {
 }
 
 static double price_of(const struct workshop *w, int from, int to) {
-    struct vec3 target = w->surface->place[to];
-    struct vec3 way = vec3_sub(w->surface->place[from], target);
-    double price = quadric_at(&w->quadrics[from], target) + quadric_at(&w->quadrics[to], target);
+    const struct vertex *moved = &w->vertices[from], *target = &w->vertices[to];
+    struct vec3 way = vec3_sub(moved->place, target->place);
+    double price =
+        quadric_at(&moved->quadric, target->place) + quadric_at(&target->quadric, target->place);
     /* On flat ground short edges go first. */
-    return price + 2e-9 * vec3_dot(way, way) * importance(target);
+    return price + 2e-9 * vec3_dot(way, way) * target->importance;
 }
 
 /* ---- The heap of collapses, cheapest first ---- */
@@ -145,7 +149,7 @@ static bool is_alive(const struct grid_triangle *t) {
 /* The vertices around one vertex, each once; returns their number. */
 static int neighbours(const struct workshop *w, int vertex, int found[NEIGHBOUR_LIMIT]) {
     int count = 0;
-    for (int c = w->first_corner[vertex]; c != NONE; c = w->next_corner[c]) {
+    for (int c = w->vertices[vertex].first_corner; c != NONE; c = w->next_corner[c]) {
         const struct grid_triangle *t = &w->triangles[c / 3];
         if (!is_alive(t)) {
             continue;
@@ -164,9 +168,9 @@ static int neighbours(const struct workshop *w, int vertex, int found[NEIGHBOUR_
 }
 
 static struct vec3 area_vector(const struct workshop *w, const struct grid_triangle *t) {
-    const struct vec3 *place = w->surface->place;
-    struct vec3 a = place[t->corner[0]];
-    return vec3_cross(vec3_sub(place[t->corner[1]], a), vec3_sub(place[t->corner[2]], a));
+    const struct vertex *v = w->vertices;
+    struct vec3 a = v[t->corner[0]].place;
+    return vec3_cross(vec3_sub(v[t->corner[1]].place, a), vec3_sub(v[t->corner[2]].place, a));
 }
 
 /* Twice the area in the texture, in half grid cells. A pole is midway over its two partners. */
@@ -187,10 +191,10 @@ static int area_in_texture(const struct workshop *w, const struct grid_triangle 
 /* 1 for an equilateral triangle, 0 for one without area. */
 static double roundness(const struct workshop *w, const struct grid_triangle *t,
                         double twice_area) {
-    const struct vec3 *place = w->surface->place;
     double sum = 0;
     for (int k = 0; k < 3; k++) {
-        struct vec3 edge = vec3_sub(place[t->corner[(k + 1) % 3]], place[t->corner[k]]);
+        struct vec3 edge =
+            vec3_sub(w->vertices[t->corner[(k + 1) % 3]].place, w->vertices[t->corner[k]].place);
         sum += vec3_dot(edge, edge);
     }
     return 3.4641016151377544 * twice_area / sum;
@@ -224,7 +228,7 @@ static bool may_collapse(const struct workshop *w, int from, int to) {
             common += around_from[i] == around_to[j];
         }
     }
-    for (int c = w->first_corner[from]; c != NONE; c = w->next_corner[c]) {
+    for (int c = w->vertices[from].first_corner; c != NONE; c = w->next_corner[c]) {
         const struct grid_triangle *t = &w->triangles[c / 3];
         if (!is_alive(t)) {
             continue;
@@ -250,8 +254,7 @@ static bool may_move(const struct workshop *w, int from, int to) {
 /* Put an edge on the heap, to be collapsed in the cheaper direction of those allowed. */
 static bool offer_edge(struct workshop *w, int a, int b) {
     bool a_stays = !may_move(w, a, b), b_stays = !may_move(w, b, a);
-    struct collapse there = {price_of(w, a, b), a, b, w->stamps[a], w->stamps[b]};
-    struct collapse back = {price_of(w, b, a), b, a, w->stamps[b], w->stamps[a]};
+    struct collapse there = {price_of(w, a, b), a, b}, back = {price_of(w, b, a), b, a};
     if (a_stays && b_stays) {
         return true;
     }
@@ -270,7 +273,7 @@ static bool push_edges_of(struct workshop *w, int vertex) {
 }
 
 static bool do_collapse(struct workshop *w, int from, int to) {
-    int c = w->first_corner[from];
+    int c = w->vertices[from].first_corner;
     while (c != NONE) {
         int next = w->next_corner[c];
         struct grid_triangle *t = &w->triangles[c / 3];
@@ -279,14 +282,13 @@ static bool do_collapse(struct workshop *w, int from, int to) {
             w->alive_count--;
         } else if (is_alive(t)) {
             t->corner[c % 3] = to;
-            w->next_corner[c] = w->first_corner[to];
-            w->first_corner[to] = c;
+            w->next_corner[c] = w->vertices[to].first_corner;
+            w->vertices[to].first_corner = c;
         }
         c = next;
     }
-    quadric_add(&w->quadrics[to], &w->quadrics[from]);
-    w->stamps[from] = NONE;
-    w->stamps[to]++;
+    w->vertices[from].first_corner = NONE;
+    quadric_add(&w->vertices[to].quadric, &w->vertices[from].quadric);
     return push_edges_of(w, to);
 }
 
@@ -297,8 +299,8 @@ static void add_triangle(struct workshop *w, int a, int b, int c) {
     w->triangles[t] = (struct grid_triangle){{a, b, c}};
     for (int k = 0; k < 3; k++) {
         int vertex = w->triangles[t].corner[k];
-        w->next_corner[3 * t + k] = w->first_corner[vertex];
-        w->first_corner[vertex] = 3 * t + k;
+        w->next_corner[3 * t + k] = w->vertices[vertex].first_corner;
+        w->vertices[vertex].first_corner = 3 * t + k;
     }
 }
 
@@ -328,39 +330,38 @@ static void measure_planes(struct workshop *w) {
         struct vec3 normal = area_vector(w, t);
         double area = vec3_length(normal);
         normal = vec3_normalized(normal);
-        struct vec3 p = w->surface->place[t->corner[0]];
-        struct quadric q = quadric_of_plane(normal, -vec3_dot(normal, p), area * importance(p));
+        const struct vertex *first = &w->vertices[t->corner[0]];
+        struct quadric q =
+            quadric_of_plane(normal, -vec3_dot(normal, first->place), area * first->importance);
+        struct quadric image = q; /* of the triangle on the other side of the mirror */
+        image.term[XY] = -q.term[XY];
+        image.term[XZ] = -q.term[XZ];
+        image.term[X] = -q.term[X];
         for (int k = 0; k < 3; k++) {
-            quadric_add(&w->quadrics[t->corner[k]], &q);
-            if (surface_is_in_mirror(
-                    w->surface,
-                    t->corner[k])) { /* the mirror image of this triangle is there too */
-                struct quadric image = q;
-                image.term[XY] = -q.term[XY];
-                image.term[XZ] = -q.term[XZ];
-                image.term[X] = -q.term[X];
-                quadric_add(&w->quadrics[t->corner[k]], &image);
+            quadric_add(&w->vertices[t->corner[k]].quadric, &q);
+            if (surface_is_in_mirror(w->surface, t->corner[k])) {
+                quadric_add(&w->vertices[t->corner[k]].quadric, &image);
             }
         }
     }
 }
 
 static bool workshop_create(struct workshop *w, const struct surface *surface) {
-    memset(w, 0, sizeof *w);
-    w->surface = surface;
     size_t vertex_count = ((size_t)surface->columns + 1) * ((size_t)surface->rows + 1);
     size_t most = 2 * (size_t)surface->columns * (size_t)surface->rows;
-    w->triangles = malloc(most * sizeof *w->triangles);
-    w->next_corner = malloc(3 * most * sizeof *w->next_corner);
-    w->first_corner = malloc(vertex_count * sizeof *w->first_corner);
-    w->quadrics = calloc(vertex_count, sizeof *w->quadrics);
-    w->stamps = calloc(vertex_count, sizeof *w->stamps);
-    if (w->triangles == NULL || w->next_corner == NULL || w->first_corner == NULL ||
-        w->quadrics == NULL || w->stamps == NULL) {
+    *w = (struct workshop){
+        .surface = surface,
+        .vertices = calloc(vertex_count, sizeof *w->vertices),
+        .triangles = malloc(most * sizeof *w->triangles),
+        .next_corner = malloc(3 * most * sizeof *w->next_corner),
+    };
+    if (w->vertices == NULL || w->triangles == NULL || w->next_corner == NULL) {
         return false;
     }
     for (size_t i = 0; i < vertex_count; i++) {
-        w->first_corner[i] = NONE;
+        struct vec3 place = surface->points[i].place;
+        w->vertices[i] =
+            (struct vertex){.place = place, .importance = importance(place), .first_corner = NONE};
     }
     add_grid(w);
     measure_planes(w);
@@ -378,15 +379,6 @@ static bool workshop_create(struct workshop *w, const struct surface *surface) {
     return true;
 }
 
-static void workshop_free(struct workshop *w) {
-    free(w->triangles);
-    free(w->next_corner);
-    free(w->first_corner);
-    free(w->quadrics);
-    free(w->stamps);
-    free(w->heap);
-}
-
 bool simplify(const struct surface *surface, size_t target, struct grid_triangle **triangles,
               size_t *count) {
     assert(surface->columns > 0 && surface->rows > 0);
@@ -394,19 +386,20 @@ bool simplify(const struct surface *surface, size_t target, struct grid_triangle
     bool done = workshop_create(&w, surface);
     while (done && w.alive_count > target && w.heap_count > 0) {
         struct collapse best = heap_pop(&w);
-        if (w.stamps[best.from] == best.from_stamp && w.stamps[best.to] == best.to_stamp &&
+        if (price_of(&w, best.from, best.to) <= best.price &&
             may_collapse(&w, best.from, best.to)) {
             done = do_collapse(&w, best.from, best.to);
         }
     }
-    *triangles = done ? malloc(w.alive_count * sizeof **triangles) : NULL;
-    done = *triangles != NULL;
     *count = 0;
     for (size_t i = 0; done && i < w.triangle_count; i++) {
         if (is_alive(&w.triangles[i])) {
-            (*triangles)[(*count)++] = w.triangles[i];
+            w.triangles[(*count)++] = w.triangles[i];
         }
     }
-    workshop_free(&w);
+    *triangles = w.triangles;
+    free(w.vertices);
+    free(w.next_corner);
+    free(w.heap);
     return done;
 }

@@ -200,10 +200,10 @@ static double shine(const struct parts *parts) {
 
 /* ---- Texels ---- */
 
-/* The texture coordinate of a texel's centre. */
-static double middle_of(size_t texel, size_t size) {
-    return ((double)texel + 0.5) / (double)size;
-}
+struct texel {
+    struct vec3 place, normal;
+    double height; /* of the relief */
+};
 
 /* The normal bent by the relief's slope along u and v. */
 static struct vec3 bend(struct vec3 normal, struct vec3 along_u, struct vec3 along_v, double rise_u,
@@ -233,49 +233,43 @@ static struct vec3 smooth_eye(struct vec3 p, struct vec3 normal) {
     return vec3_normalized(vec3_mix(normal, round, eye));
 }
 
-static void set_normal(struct image *image, size_t x, size_t y, struct vec3 n) {
-    image_set(image, (int)x, (int)y,
-              color_rgb(level_from((n.x + 1) * 127.5), level_from((n.y + 1) * 127.5),
-                        level_from((n.z + 1) * 127.5)));
+/* Red, green and blue of these levels. */
+static struct color rgb(double r, double g, double b) {
+    return color_rgb(level_from(r), level_from(g), level_from(b));
 }
 
-static struct vec3 normal_at(const struct surface *surface, const double *heights, size_t size,
-                             size_t x, size_t y) {
-    size_t below = y > 0 ? y - 1 : y, above = y + 1 < size ? y + 1 : y;
-    size_t left = x > 0 ? x - 1 : size - 1, right = x + 1 < size ? x + 1 : 0;
-    double u = middle_of(x, size), v = middle_of(y, size);
-    struct vec3 along_u = vec3_sub(surface_place(surface, middle_of(right, size), v),
-                                   surface_place(surface, middle_of(left, size), v));
-    struct vec3 along_v = vec3_sub(surface_place(surface, u, middle_of(above, size)),
-                                   surface_place(surface, u, middle_of(below, size)));
-    double rise_u = heights[y * size + right] - heights[y * size + left];
-    double rise_v = heights[above * size + x] - heights[below * size + x];
-    struct vec3 normal = smooth_eye(surface_place(surface, u, v), surface_normal(surface, u, v));
-    return bend(normal, along_u, along_v, rise_u, rise_v);
-}
-
-static void paint_normals(struct image *image, const struct surface *surface,
-                          const double *heights) {
-    for (size_t y = 0; y < image->height; y++) {
-        for (size_t x = 0; x < image->width; x++) {
-            set_normal(image, x, y, normal_at(surface, heights, image->width, x, y));
+static void paint_colors(struct skin *skin, const struct surface *surface, struct texel *texels) {
+    size_t size = skin->diffuse.width;
+    for (size_t y = 0; y < size; y++) {
+        for (size_t x = 0; x < size; x++) {
+            struct surface_point point = surface_at(surface, ((double)x + 0.5) / (double)size,
+                                                    ((double)y + 0.5) / (double)size);
+            struct vec3 p = point.place;
+            struct parts parts = find_parts(p, point.ear, point.cavity);
+            texels[y * size + x] =
+                (struct texel){p, smooth_eye(p, point.normal), relief(p, &parts)};
+            struct vec3 c = color_of(p, &parts);
+            image_set(&skin->diffuse, (int)x, (int)y, rgb(c.x, c.y, c.z));
+            image_set(&skin->specular, (int)x, (int)y, color_grey(level_from(shine(&parts))));
         }
     }
 }
 
-static void paint_colors(struct skin *skin, const struct surface *surface, double *heights) {
-    size_t size = skin->diffuse.width;
+/* The slopes are those between the texels on both sides: the texture goes once around the body. */
+static void paint_normals(struct image *image, const struct texel *texels) {
+    size_t size = image->width;
     for (size_t y = 0; y < size; y++) {
+        const struct texel *row = texels + y * size;
+        const struct texel *above = y + 1 < size ? row + size : row;
+        const struct texel *below = y > 0 ? row - size : row;
         for (size_t x = 0; x < size; x++) {
-            double u = middle_of(x, size), v = middle_of(y, size);
-            struct vec3 p = surface_place(surface, u, v);
-            struct parts parts = find_parts(p, surface_number(surface, surface->ear, u, v),
-                                            surface_number(surface, surface->cavity, u, v));
-            heights[y * size + x] = relief(p, &parts);
-            struct vec3 c = color_of(p, &parts);
-            image_set(&skin->diffuse, (int)x, (int)y,
-                      color_rgb(level_from(c.x), level_from(c.y), level_from(c.z)));
-            image_set(&skin->specular, (int)x, (int)y, color_grey(level_from(shine(&parts))));
+            const struct texel *left = &row[x > 0 ? x - 1 : size - 1];
+            const struct texel *right = &row[x + 1 < size ? x + 1 : 0];
+            struct vec3 n = bend(row[x].normal, vec3_sub(right->place, left->place),
+                                 vec3_sub(above[x].place, below[x].place),
+                                 right->height - left->height, above[x].height - below[x].height);
+            image_set(image, (int)x, (int)y,
+                      rgb((n.x + 1) * 127.5, (n.y + 1) * 127.5, (n.z + 1) * 127.5));
         }
     }
 }
@@ -283,20 +277,20 @@ static void paint_colors(struct skin *skin, const struct surface *surface, doubl
 bool skin_create(struct skin *skin, const struct surface *surface, size_t size,
                  struct error *error) {
     memset(skin, 0, sizeof *skin);
-    double *heights = calloc(size * size, sizeof *heights);
-    if (heights == NULL) {
+    struct texel *texels = calloc(size * size, sizeof *texels);
+    if (texels == NULL) {
         return error_set(error, "out of memory for the skin");
     }
     bool done = image_create(&skin->diffuse, size, size, IMAGE_BGR, error) &&
                 image_create(&skin->normals, size, size, IMAGE_BGR, error) &&
                 image_create(&skin->specular, size, size, IMAGE_GREY, error);
     if (done) {
-        paint_colors(skin, surface, heights);
-        paint_normals(&skin->normals, surface, heights);
+        paint_colors(skin, surface, texels);
+        paint_normals(&skin->normals, texels);
     } else {
         skin_free(skin);
     }
-    free(heights);
+    free(texels);
     return done;
 }
 

@@ -12,7 +12,6 @@
 #include "sculptor/head.h"
 
 #include <stdlib.h>
-#include <string.h>
 
 /* Over v: where on the stick the ray starts, and its angle above the horizon in degrees. */
 static const double stick_y[][2] = {{0.00, -0.95}, {0.07, -0.94}, {0.14, -0.90}, {0.20, -0.82},
@@ -59,6 +58,10 @@ static struct vec3 leave_clay(struct vec3 start, struct vec3 direction) {
     return vec3_add(start, vec3_scale(direction, (inside + outside) / 2));
 }
 
+static struct surface_point *point_at(const struct surface *surface, int column, int row) {
+    return &surface->points[surface_index(surface, column, row)];
+}
+
 static void cast_rays(struct surface *surface) {
     for (int row = SURFACE_BASE_ROWS; row <= surface->rows; row++) {
         double t = (double)(row - SURFACE_BASE_ROWS) / (surface->rows - SURFACE_BASE_ROWS);
@@ -68,41 +71,35 @@ static void cast_rays(struct surface *surface) {
             if (column == 0 || column == surface->columns || row == surface->rows) {
                 direction.x = 0; /* the middle lies exactly in the mirror */
             }
-            int i = surface_index(surface, column, row);
-            surface->place[i] = head_grow_ear(leave_clay(start, direction), &surface->ear[i]);
+            struct surface_point *point = point_at(surface, column, row);
+            point->place = head_grow_ear(leave_clay(start, direction), &point->ear);
         }
     }
     /* One crown, the same from every side. */
-    struct vec3 crown = surface->place[surface_index(surface, 0, surface->rows)];
-    for (int column = 0; column <= surface->columns; column++) {
-        surface->place[surface_index(surface, column, surface->rows)] = crown;
+    struct surface_point *last_row = point_at(surface, 0, surface->rows);
+    for (int column = 1; column <= surface->columns; column++) {
+        last_row[column].place = last_row[0].place;
     }
 }
 
 /* The base: the rim drawn together to a point. */
 static void close_base(struct surface *surface) {
     const struct vec3 middle = {0, BASE_Y, -0.15};
+    const struct surface_point *rim = point_at(surface, 0, SURFACE_BASE_ROWS);
     for (int row = 0; row < SURFACE_BASE_ROWS; row++) {
         for (int column = 0; column <= surface->columns; column++) {
-            struct vec3 rim = surface->place[surface_index(surface, column, SURFACE_BASE_ROWS)];
-            surface->place[surface_index(surface, column, row)] =
-                vec3_mix(middle, rim, (double)row / SURFACE_BASE_ROWS);
+            point_at(surface, column, row)->place =
+                vec3_mix(middle, rim[column].place, (double)row / SURFACE_BASE_ROWS);
         }
     }
 }
 
 /* The point at a column that may lie one beyond the half: there is its mirror image. */
 static struct vec3 mirrored(const struct surface *surface, int column, int row) {
-    double side = 1;
-    if (column < 0) {
-        column = -column;
-        side = -1;
-    } else if (column > surface->columns) {
-        column = 2 * surface->columns - column;
-        side = -1;
-    }
-    struct vec3 p = surface->place[surface_index(surface, column, row)];
-    p.x *= side;
+    int last = surface->columns;
+    int inside = column < 0 ? -column : column > last ? 2 * last - column : column;
+    struct vec3 p = point_at(surface, inside, row)->place;
+    p.x = inside == column ? p.x : -p.x;
     return p;
 }
 
@@ -127,21 +124,21 @@ static void find_normals(struct surface *surface) {
                 n.x = 0;
                 n = vec3_normalized(n);
             }
-            surface->normal[surface_index(surface, column, row)] = n;
+            point_at(surface, column, row)->normal = n;
         }
     }
 }
 
 /* How far the points `reach` steps away lie above this one, over their distance from it. */
 static double cavity_at(const struct surface *surface, int column, int row, int reach) {
-    int i = surface_index(surface, column, row);
+    const struct surface_point *point = point_at(surface, column, row);
     double rise = 0, way = 0;
     for (int dy = -1; dy <= 1; dy++) {
         for (int dx = -1; dx <= 1; dx++) {
             int y = row + dy * reach;
             y = y < SURFACE_BASE_ROWS ? SURFACE_BASE_ROWS : y > surface->rows ? surface->rows : y;
-            struct vec3 d = vec3_sub(mirrored(surface, column + dx * reach, y), surface->place[i]);
-            rise += vec3_dot(d, surface->normal[i]);
+            struct vec3 d = vec3_sub(mirrored(surface, column + dx * reach, y), point->place);
+            rise += vec3_dot(d, point->normal);
             way += vec3_length(d);
         }
     }
@@ -153,23 +150,16 @@ static void find_cavities(struct surface *surface) {
         for (int column = 0; column <= surface->columns; column++) {
             double fine = cavity_at(surface, column, row, 3);
             double broad = cavity_at(surface, column, row, 9);
-            surface->cavity[surface_index(surface, column, row)] = (fine + broad) / 2;
+            point_at(surface, column, row)->cavity = (fine + broad) / 2;
         }
     }
 }
 
 bool surface_create(struct surface *surface, int columns, int rows) {
-    memset(surface, 0, sizeof *surface);
     size_t count = ((size_t)columns + 1) * ((size_t)rows + 1);
-    surface->columns = columns;
-    surface->rows = rows;
-    surface->place = malloc(count * sizeof *surface->place);
-    surface->normal = malloc(count * sizeof *surface->normal);
-    surface->ear = calloc(count, sizeof *surface->ear);
-    surface->cavity = calloc(count, sizeof *surface->cavity);
-    if (surface->place == NULL || surface->normal == NULL || surface->ear == NULL ||
-        surface->cavity == NULL) {
-        surface_free(surface);
+    *surface = (struct surface){.columns = columns, .rows = rows};
+    surface->points = calloc(count, sizeof *surface->points);
+    if (surface->points == NULL) {
         return false;
     }
     cast_rays(surface);
@@ -180,47 +170,33 @@ bool surface_create(struct surface *surface, int columns, int rows) {
 }
 
 void surface_free(struct surface *surface) {
-    free(surface->place);
-    free(surface->normal);
-    free(surface->ear);
-    free(surface->cavity);
-    memset(surface, 0, sizeof *surface);
+    free(surface->points);
+    *surface = (struct surface){0};
 }
 
-/* The grid cell around (u, v), mirrored for the other half, and where in it. */
-struct spot {
-    int low, high;    /* the cell's first index in its lower and upper row */
-    double right, up; /* 0..1 */
-};
+static struct surface_point point_mix(const struct surface_point *a, const struct surface_point *b,
+                                      double t) {
+    return (struct surface_point){
+        .place = vec3_mix(a->place, b->place, t),
+        .normal = vec3_mix(a->normal, b->normal, t),
+        .ear = mix(a->ear, b->ear, t),
+        .cavity = mix(a->cavity, b->cavity, t),
+    };
+}
 
-static struct spot find_spot(const struct surface *surface, double u, double v) {
+struct surface_point surface_at(const struct surface *surface, double u, double v) {
     double x = fabs(2 * u - 1) * surface->columns, y = v * surface->rows;
     int i = (int)clamp(floor(x), 0, surface->columns - 1);
     int j = (int)clamp(floor(y), 0, surface->rows - 1);
-    return (struct spot){surface_index(surface, i, j), surface_index(surface, i, j + 1), x - i,
-                         y - j};
-}
-
-static struct vec3 between(const struct surface *surface, const struct vec3 *grid, double u,
-                           double v) {
-    struct spot spot = find_spot(surface, u, v);
-    struct vec3 low = vec3_mix(grid[spot.low], grid[spot.low + 1], spot.right);
-    struct vec3 high = vec3_mix(grid[spot.high], grid[spot.high + 1], spot.right);
-    struct vec3 p = vec3_mix(low, high, spot.up);
-    p.x = u < 0.5 ? -p.x : p.x;
+    const struct surface_point *low = point_at(surface, i, j);
+    const struct surface_point *high = point_at(surface, i, j + 1);
+    struct surface_point below = point_mix(&low[0], &low[1], x - i);
+    struct surface_point above = point_mix(&high[0], &high[1], x - i);
+    struct surface_point p = point_mix(&below, &above, y - j);
+    if (u < 0.5) { /* the mirror image */
+        p.place.x = -p.place.x;
+        p.normal.x = -p.normal.x;
+    }
+    p.normal = vec3_normalized(p.normal);
     return p;
-}
-
-struct vec3 surface_place(const struct surface *surface, double u, double v) {
-    return between(surface, surface->place, u, v);
-}
-
-struct vec3 surface_normal(const struct surface *surface, double u, double v) {
-    return vec3_normalized(between(surface, surface->normal, u, v));
-}
-
-double surface_number(const struct surface *surface, const double *grid, double u, double v) {
-    struct spot spot = find_spot(surface, u, v);
-    return mix(mix(grid[spot.low], grid[spot.low + 1], spot.right),
-               mix(grid[spot.high], grid[spot.high + 1], spot.right), spot.up);
 }

@@ -6,15 +6,19 @@
 
 #include <stdbool.h>
 
+/* A point of the surface, on the grid or between its points. */
+struct surface_point {
+    struct vec3 place, normal; /* the normal of length 1, outwards */
+    double ear;                /* how far the ear sticks out here */
+    double cavity;             /* -1..1: how deep the point lies among those around it */
+};
+
 /* Half of the surface, x >= 0: column 0 runs down the middle of the face (u = 1/2), the last one
  * down the back (u = 1, where the texture's seam is); row 0 is the middle of the base (v = 0), the
  * last row the crown (v = 1). All zero is a valid, empty surface. */
 struct surface {
-    int columns, rows;   /* steps; there is one more grid line than steps each way */
-    struct vec3 *place;  /* (rows + 1) * (columns + 1) */
-    struct vec3 *normal; /* the same, of length 1, outwards */
-    double *ear;         /* how far the ear sticks out here */
-    double *cavity;      /* -1..1: how deep the point lies among those around it */
+    int columns, rows;            /* steps; there is one more grid line than steps each way */
+    struct surface_point *points; /* (rows + 1) * (columns + 1) */
 };
 
 enum { SURFACE_BASE_ROWS = 8 }; /* the first rows cover the flat base */
@@ -46,11 +50,7 @@ static inline bool surface_is_in_mirror(const struct surface *surface, int index
            surface_is_pole(surface, index);
 }
 
-/* Place and normal at (u, v) in 0..1, between the grid's points. */
-struct vec3 surface_place(const struct surface *surface, double u, double v);
-struct vec3 surface_normal(const struct surface *surface, double u, double v);
-
-/* The same for one of the grids of numbers. */
-double surface_number(const struct surface *surface, const double *grid, double u, double v);
+/* At (u, v) in 0..1, on either half. */
+struct surface_point surface_at(const struct surface *surface, double u, double v);
 
 #endif

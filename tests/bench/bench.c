@@ -11,42 +11,84 @@
 
 #include "chart.h"
 #include "measure.h"
-#include "report.h"
 
+#include <assert.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { SECONDS_DEFAULT = 10 };
+/* ---- The table ---- */
 
-struct options {
-    double seconds;
-    char **steps;
-    int step_count;
-};
-
-static bool read_seconds(double *seconds, struct error *error) {
-    const char *text = getenv("BENCH_SECONDS");
-    if (text == NULL || *text == '\0') {
-        *seconds = SECONDS_DEFAULT;
-        return true;
+static void print_version(const struct bench_panel *panel, size_t i,
+                          const struct bench_result *result) {
+    char name[64];
+    const char *series = panel->versions[i].series;
+    const double numbers[] = {result->error, result->median, result->lower, result->upper};
+    snprintf(name, sizeof name, "%s%s%s", series != NULL ? series : "", series != NULL ? ", " : "",
+             panel->versions[i].name);
+    printf("  %c %-32s", result->front ? '*' : ' ', name);
+    for (size_t k = 0; k < sizeof numbers / sizeof numbers[0]; k++) {
+        char text[32];
+        bench_show_number(numbers[k], text);
+        printf(" %12s", text);
     }
-    char *end;
-    *seconds = strtod(text, &end);
-    if (*end != '\0' || !(*seconds > 0 && *seconds <= 3600)) {
-        return error_set(error, "BENCH_SECONDS=%s is not a number of seconds in 0..3600", text);
-    }
-    return true;
+    printf("\n");
 }
 
-static bool is_wanted(const struct bench_lesson *lesson, const struct options *options) {
-    for (int i = 0; i < options->step_count; i++) {
-        if (strstr(lesson->step, options->steps[i]) != NULL) {
-            return true;
+static void print_panel(const struct bench_panel *panel, const struct bench_result *results) {
+    printf("\n  %s\n  error: %s, against %s; time: %s, median and quartiles of %zu rounds\n",
+           panel->title, panel->error_label, panel->against, panel->time_label, results[0].rounds);
+    printf("    %-32s %12s %12s %12s %12s\n", "version", "error", "time", "lower", "upper");
+    for (size_t i = 0; i < panel->version_count; i++) {
+        print_version(panel, i, &results[i]);
+    }
+}
+
+static void print_table(const struct bench_lesson *lesson, const struct bench_results *results) {
+    printf("\n%s (%s)\n", lesson->title, lesson->step);
+    for (size_t i = 0; i < lesson->panel_count; i++) {
+        print_panel(&lesson->panels[i], results->of[i]);
+    }
+    printf("\n  * useful: no other version is as good in both, and better in one\n");
+    fflush(stdout);
+}
+
+/* ---- JSON ---- */
+
+/* "key": "value", with nothing in the value that JSON would want escaped. */
+static void put_string(FILE *json, const char *key, const char *value) {
+    assert(value == NULL || strpbrk(value, "\"\\\n") == NULL);
+    const char *quote = value != NULL ? "\"" : "";
+    fprintf(json, "\"%s\": %s%s%s, ", key, quote, value != NULL ? value : "null", quote);
+}
+
+static void put_version(FILE *json, const char *step, const struct bench_panel *panel, size_t i,
+                        const struct bench_result *result) {
+    fputs(ftell(json) > 1 ? ",\n{" : "{", json);
+    put_string(json, "step", step);
+    put_string(json, "panel", panel->title);
+    put_string(json, "series", panel->versions[i].series);
+    put_string(json, "version", panel->versions[i].name);
+    put_string(json, "error_unit", panel->error_label);
+    put_string(json, "against", panel->against);
+    put_string(json, "time_unit", panel->time_label);
+    fprintf(json,
+            "\"error\": %.9g, \"median\": %.9g, \"lower\": %.9g, \"upper\": %.9g, \"useful\": %s}",
+            result->error, result->median, result->lower, result->upper,
+            result->front ? "true" : "false");
+}
+
+/* A line for each version, with what the table shows of it. */
+static void add_json(const struct bench_lesson *lesson, const struct bench_results *results,
+                     FILE *json) {
+    for (size_t p = 0; p < lesson->panel_count; p++) {
+        for (size_t i = 0; i < lesson->panels[p].version_count; i++) {
+            put_version(json, lesson->step, &lesson->panels[p], i, &results->of[p][i]);
         }
     }
-    return options->step_count == 0;
 }
+
+/* ---- Files ---- */
 
 /* Open bench/NAME.ENDING, which output_close() closes. NULL, with a message, if that fails. */
 static FILE *output_open(const char *name, const char *ending, struct error *error) {
@@ -74,6 +116,8 @@ static bool save_chart(const struct bench_lesson *lesson, const struct bench_res
     return svg != NULL && output_close(svg, error);
 }
 
+/* ---- Lessons ---- */
+
 /* Beside a wrong picture each time would look right. */
 static bool check_errors(const struct bench_lesson *lesson, const struct bench_results *results,
                          struct error *error) {
@@ -94,19 +138,28 @@ static bool check_errors(const struct bench_lesson *lesson, const struct bench_r
     return true;
 }
 
-static bool measure_lesson(const struct bench_lesson *lesson, const struct options *options,
-                           FILE *json, struct error *error) {
+static bool measure_lesson(const struct bench_lesson *lesson, double seconds, FILE *json,
+                           struct error *error) {
     struct bench_results results = {0};
-    if (!bench_measure(lesson, options->seconds, &results, error) ||
+    if (!bench_measure(lesson, seconds, &results, error) ||
         !check_errors(lesson, &results, error) || !save_chart(lesson, &results, error)) {
         return false;
     }
-    report_add_json(lesson, &results, json);
-    report_print(lesson, &results);
+    add_json(lesson, &results, json);
+    print_table(lesson, &results);
     return true;
 }
 
-static bool measure_lessons(const struct options *options, struct error *error) {
+/* Is it one of the steps, which end with NULL? All are where there are none. */
+static bool is_wanted(const struct bench_lesson *lesson, char *const *steps) {
+    bool wanted = *steps == NULL;
+    for (; *steps != NULL; steps++) {
+        wanted = wanted || strstr(lesson->step, *steps) != NULL;
+    }
+    return wanted;
+}
+
+static bool measure_lessons(char *const *steps, double seconds, struct error *error) {
     FILE *json = output_open("all", "json", error);
     bool done = json != NULL, any = false;
     if (!done) {
@@ -114,9 +167,9 @@ static bool measure_lessons(const struct options *options, struct error *error) 
     }
     fputs("[", json);
     for (size_t i = 0; done && bench_lessons[i] != NULL; i++) {
-        if (is_wanted(bench_lessons[i], options)) {
+        if (is_wanted(bench_lessons[i], steps)) {
             any = true;
-            done = measure_lesson(bench_lessons[i], options, json, error);
+            done = measure_lesson(bench_lessons[i], seconds, json, error);
         }
     }
     fputs("]\n", json);
@@ -130,17 +183,14 @@ static bool measure_lessons(const struct options *options, struct error *error) 
 }
 
 int main(int argc, char **argv) {
-    struct options options = {.steps = argv + 1, .step_count = argc - 1};
+    const char *text = getenv("BENCH_SECONDS");
+    double seconds = text != NULL && *text != '\0' ? strtod(text, NULL) : 10;
     struct error error;
-    if (argc > 1 && argv[1][0] == '-') {
-        fprintf(stderr, "usage: benchmark [STEP...]\n");
+    if ((argc > 1 && argv[1][0] == '-') || !(seconds > 0 && seconds <= 3600)) {
+        fprintf(stderr, "usage: [BENCH_SECONDS=10] benchmark [STEP...]\n");
         return 2;
     }
-    if (!read_seconds(&options.seconds, &error)) {
-        fprintf(stderr, "benchmark: %s\n", error.message);
-        return 2;
-    }
-    if (!measure_lessons(&options, &error)) {
+    if (!measure_lessons(argv + 1, seconds, &error)) {
         fprintf(stderr, "benchmark: %s\n", error.message);
         return 1;
     }

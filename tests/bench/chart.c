@@ -219,17 +219,6 @@ static bool is_free(const struct plot *plot, struct box box) {
     return free;
 }
 
-/* Nothing is taken on the way from 13 pixels to `far` pixels. */
-static bool is_way_free(const struct plot *plot, const struct mark *mark, struct vec2 direction,
-                        double far) {
-    bool free = true;
-    for (double at = 13; at < far; at += 6) {
-        free = free && is_free(plot, box_around(mark->x + at * direction.x,
-                                                mark->y + at * direction.y, 1, 1));
-    }
-    return free;
-}
-
 /* Try places in circles around the dot, first at its right, then at its left. The first that is
  * free is the label's; where none is, the last. */
 static void place_label(struct plot *plot, struct mark *mark) {
@@ -248,7 +237,7 @@ static void place_label(struct plot *plot, struct mark *mark) {
         mark->leader = i < 2 * DIRECTIONS ? 0 : 1 - 6 / far;
         box = box_around(mark->label_x + side * width / 2, mark->label_y, width / 2,
                          LABEL_HEIGHT / 2.0);
-        if (is_free(plot, box) && (mark->leader == 0 || is_way_free(plot, mark, way, far))) {
+        if (is_free(plot, box)) {
             break;
         }
     }

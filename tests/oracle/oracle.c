@@ -50,17 +50,12 @@ bool oracle_line_has(struct pixel a, struct pixel b, struct pixel p) {
     if (u_start == u_end) {
         return v == v_start; /* a point: the steep case excludes all other lines */
     }
-    /* Distance of pixel v to the ideal line, times the length in u. */
+    /* How far pixel v is above the ideal line, times twice the length in u. */
     int128 length = u_end - u_start;
-    int128 ideal = v_start * length + (v_end - v_start) * (u - u_start);
-    int128 here = magnitude(v * length - ideal);
-    int128 above = magnitude((v + 1) * length - ideal), below = magnitude((v - 1) * length - ideal);
-    if (here > above || here > below) {
-        return false;
-    }
-    bool tie_above = here == above, tie_below = here == below;
-    /* At a tie with the row above, that one is nearer to the start if this one is below it. */
-    return !(tie_above && v < v_start) && !(tie_below && v > v_start);
+    int128 above = 2 * ((v - v_start) * length - (v_end - v_start) * (u - u_start));
+    /* At a tie the row nearer to the start. */
+    return (-length < above && above < length) || (above == length && v <= v_start) ||
+           (above == -length && v >= v_start);
 }
 
 /* ---- Triangles ---- */
@@ -113,34 +108,32 @@ int oracle_turn(struct fixed2 a, struct fixed2 b, struct fixed2 c) {
 }
 
 /* Depth as a fraction: numerator and (positive) denominator. */
-static void exact_depth(const struct fixed2 corner[3], const int64_t depth[3], int64_t x, int64_t y,
-                        int128 *numerator, int128 *denominator) {
-    int128 px = (int128)x * 256 + 128, py = (int128)y * 256 + 128;
-    int128 area = orientation(corner[0], corner[1], corner[2].x, corner[2].y);
-    int128 sum = orientation(corner[1], corner[2], px, py) * depth[0] +
-                 orientation(corner[2], corner[0], px, py) * depth[1] +
-                 orientation(corner[0], corner[1], px, py) * depth[2];
-    *numerator = area < 0 ? -sum : sum;
-    *denominator = area < 0 ? -area : area;
-}
-
-int oracle_compare_depth(const struct fixed2 first[3], const int64_t first_depth[3],
-                         const struct fixed2 second[3], const int64_t second_depth[3], int64_t x,
-                         int64_t y) {
-    int128 n1, d1, n2, d2;
-    exact_depth(first, first_depth, x, y, &n1, &d1);
-    exact_depth(second, second_depth, x, y, &n2, &d2);
-    return sign_of(n1 * d2 - n2 * d1);
-}
-
-long double oracle_perspective_depth(const struct fixed2 corner[3], const int64_t z[3],
-                                     const int64_t w[3], int64_t x, int64_t y) {
+static void exact_depth(const struct fixed2 corner[3], const int64_t z[3], const int64_t w[3],
+                        int64_t x, int64_t y, int128 *numerator, int128 *denominator) {
     int128 px = (int128)x * 256 + 128, py = (int128)y * 256 + 128;
     int128 area = orientation(corner[0], corner[1], corner[2].x, corner[2].y);
     int128 sum = orientation(corner[1], corner[2], px, py) * z[0] * w[1] * w[2] +
                  orientation(corner[2], corner[0], px, py) * z[1] * w[2] * w[0] +
                  orientation(corner[0], corner[1], px, py) * z[2] * w[0] * w[1];
-    return (long double)sum / (long double)(area * w[0] * w[1] * w[2]);
+    *numerator = area < 0 ? -sum : sum;
+    *denominator = (area < 0 ? -area : area) * w[0] * w[1] * w[2];
+}
+
+int oracle_compare_depth(const struct fixed2 first[3], const int64_t first_depth[3],
+                         const struct fixed2 second[3], const int64_t second_depth[3], int64_t x,
+                         int64_t y) {
+    static const int64_t parallel[3] = {1, 1, 1};
+    int128 n1, d1, n2, d2;
+    exact_depth(first, first_depth, parallel, x, y, &n1, &d1);
+    exact_depth(second, second_depth, parallel, x, y, &n2, &d2);
+    return sign_of(n1 * d2 - n2 * d1);
+}
+
+long double oracle_perspective_depth(const struct fixed2 corner[3], const int64_t z[3],
+                                     const int64_t w[3], int64_t x, int64_t y) {
+    int128 numerator, denominator;
+    exact_depth(corner, z, w, x, y, &numerator, &denominator);
+    return (long double)numerator / (long double)denominator;
 }
 
 /* ---- Interpolation ---- */
@@ -193,62 +186,34 @@ long double oracle_rounding_scale(const struct fixed2 corner[3], const double re
 
 /* ---- Cameras ---- */
 
-static long double dot(const long double a[3], const long double b[3]) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-/* False, with v as it was, where it is zero. */
-static bool normalize(long double v[3]) {
-    long double length = sqrtl(dot(v, v));
-    for (int i = 0; length > 0 && i < 3; i++) {
-        v[i] /= length;
-    }
-    return length > 0;
-}
-
-static void cross(const long double a[3], const long double b[3], long double result[3]) {
-    for (int i = 0; i < 3; i++) {
-        int k = (i + 1) % 3, j = (i + 2) % 3;
-        result[i] = a[k] * b[j] - a[j] * b[k];
-    }
-}
-
 struct oracle_frame oracle_frame(struct vec3 eye, struct vec3 center, struct vec3 up) {
-    struct oracle_frame frame = {.axis[2] = {(long double)eye.x - (long double)center.x,
-                                             (long double)eye.y - (long double)center.y,
-                                             (long double)eye.z - (long double)center.z}};
-    long double upwards[3] = {(long double)up.x, (long double)up.y, (long double)up.z};
-    if (normalize(frame.axis[2]) && normalize(upwards)) {
-        cross(upwards, frame.axis[2], frame.axis[0]);
-        frame.sine = sqrtl(dot(frame.axis[0], frame.axis[0]));
+    struct oracle_frame frame = {0};
+    frame.axis[2] = real3_unit(real3_sub(real3_from(eye), real3_from(center)));
+    struct real3 right = real3_cross(real3_unit(real3_from(up)), frame.axis[2]);
+    frame.sine = real3_length(right);
+    if (!(frame.sine > 1e-9L)) {
+        frame.sine = 0;
+        return frame;
     }
-    frame.sine = frame.sine > 1e-9L ? frame.sine : 0;
-    for (int i = 0; i < 3; i++) {
-        frame.axis[0][i] = frame.sine > 0 ? frame.axis[0][i] / frame.sine : 0;
-    }
-    cross(frame.axis[2], frame.axis[0], frame.axis[1]);
+    frame.axis[0] = real3_scale(right, 1 / frame.sine);
+    frame.axis[1] = real3_cross(frame.axis[2], frame.axis[0]);
     return frame;
 }
 
-bool oracle_camera(struct vec3 eye, struct vec3 center, struct vec3 up, double zoom,
+void oracle_camera(struct vec3 eye, struct vec3 center, struct vec3 up, double zoom,
                    long double to_clip[4][4]) {
     struct oracle_frame frame = oracle_frame(eye, center, up);
-    const long double from[3] = {(long double)eye.x, (long double)eye.y, (long double)eye.z};
-    const long double to[3] = {(long double)center.x, (long double)center.y, (long double)center.z};
-    const long double sight[3] = {from[0] - to[0], from[1] - to[1], from[2] - to[2]};
-    long double distance = sqrtl(dot(sight, sight));
-    for (int row = 0; row < 3; row++) {
-        long double scale = row < 2 ? (long double)zoom : 1;
-        for (int i = 0; i < 3; i++) {
-            to_clip[row][i] = scale * frame.axis[row][i];
-        }
-        to_clip[row][3] = -scale * dot(frame.axis[row], to);
+    struct real3 from = real3_from(eye), to = real3_from(center);
+    long double scale = (long double)zoom, away = -1 / real3_length(real3_sub(from, to));
+    const struct real3 rows[4] = {real3_scale(frame.axis[0], scale),
+                                  real3_scale(frame.axis[1], scale), frame.axis[2],
+                                  real3_scale(frame.axis[2], away)}; /* from the eye forwards */
+    for (int i = 0; i < 4; i++) {
+        to_clip[i][0] = rows[i].x;
+        to_clip[i][1] = rows[i].y;
+        to_clip[i][2] = rows[i].z;
+        to_clip[i][3] = -real3_dot(rows[i], i < 3 ? to : from);
     }
-    for (int i = 0; i < 3; i++) { /* from the eye forwards */
-        to_clip[3][i] = -frame.axis[2][i] / distance;
-    }
-    to_clip[3][3] = dot(frame.axis[2], from) / distance;
-    return frame.sine > 0;
 }
 
 /* ---- Matrices ---- */

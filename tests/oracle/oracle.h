@@ -8,6 +8,7 @@
 #ifndef TESTS_ORACLE_H
 #define TESTS_ORACLE_H
 
+#include "oracle/reals.h"
 #include "raster.h"
 
 #include <stdbool.h>
@@ -30,9 +31,8 @@ struct vec3 random_vec3(struct random *random, double reach); /* each from -reac
 /* ---- Lines ---- */
 
 /* Is pixel p on the line from a to b? The line is drawn along its longer axis (x where both are
- * equal); in each column (row) it has the pixel nearest to the ideal segment, found by comparing
- * distances to both neighbours as fractions; at a tie the one nearer to the left (lower) end's row
- * (column). */
+ * equal); in each column (row) it has the pixel at most half a pixel from the ideal segment; at a
+ * tie the one nearer to the left (lower) end's row (column). */
 bool oracle_line_has(struct pixel a, struct pixel b, struct pixel p);
 
 /* ---- Triangles ---- */
@@ -81,7 +81,7 @@ long double oracle_rounding_scale(const struct fixed2 corner[3], const double re
 /* The axes of a camera's frame: x to the right, y up, z from center to eye. Zero where they are not
  * certain: z where eye and center are equal, x and y also where up is 0 or within 1e-9 of z. */
 struct oracle_frame {
-    long double axis[3][3];
+    struct real3 axis[3];
     long double sine; /* of the angle between up and z; 0 where x and y are not certain */
 };
 
@@ -89,8 +89,8 @@ struct oracle_frame oracle_frame(struct vec3 eye, struct vec3 center, struct vec
 
 /* World to clip for a camera at eye that looks at center: x and y are `zoom` times the distance
  * from the line of sight, z is the place along it, from center to eye, and w the distance from the
- * eye along it, in units of the distance of the center. False where the frame is not certain. */
-bool oracle_camera(struct vec3 eye, struct vec3 center, struct vec3 up, double zoom,
+ * eye along it, in units of the distance of the center. The frame must be certain. */
+void oracle_camera(struct vec3 eye, struct vec3 center, struct vec3 up, double zoom,
                    long double to_clip[4][4]);
 
 /* ---- Matrices ---- */

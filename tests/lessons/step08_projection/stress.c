@@ -141,18 +141,7 @@ static void draw_scenery(struct scenery *s, bool skip) {
 static bool face_is_right(const struct scenery *s, int x, int y, struct tally *tally) {
     size_t pixel = (size_t)y * s->soup.width + (size_t)x;
     int face = s->pixels[3 * pixel] - 1;
-    struct soup_seen seen = soup_see(&s->soup, x, y);
-    unsigned candidates = soup_candidates(&s->soup, &seen);
-    tally->asked += candidates <= 1;
-    tally->left_out += candidates > 1;
-    if (face < 0 || face >= SOUP_FACES) {
-        return face == -1 && candidates == 0 && s->depth[pixel] == -INFINITY;
-    }
-    struct range depth = seen.hit[face].depth;
-    long double tolerance = (long double)soup_depth_tolerance(&s->soup, (size_t)face);
-    return soup_may_show(&s->soup, &seen, (size_t)face) &&
-           (long double)s->depth[pixel] >= depth.least - tolerance &&
-           (long double)s->depth[pixel] <= depth.most + tolerance;
+    return face < SOUP_FACES && soup_face_is_right(&s->soup, x, y, face, s->depth[pixel], tally);
 }
 
 /* The same faces once more, in other levels and with nothing skipped, must change nothing. */

@@ -83,45 +83,38 @@ static void make_camera(struct random *random, uint64_t index, void *made) {
     }
 }
 
-static bool is_right_handed(const struct mat4 *view) {
-    const double(*m)[4] = view->m;
-    double determinant = m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) +
-                         m[0][1] * (m[1][2] * m[2][0] - m[1][0] * m[2][2]) +
-                         m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
-    return determinant > 0;
+static struct real3 view_row(const struct mat4 *view, int row) {
+    const double *m = view->m[row];
+    return (struct real3){m[0], m[1], m[2]};
+}
+
+/* The larger one; what is no number counts as infinite. */
+static long double worse(long double a, long double b) {
+    return isnan(b) ? (long double)INFINITY : fmaxl(a, b);
 }
 
 /* How far the three rows are from unit length and right angles, in ulp of 1; infinite where the
  * third points against the cross product of the others. */
 static double view_frame_error(const struct mat4 *view) {
+    const struct real3 rows[3] = {view_row(view, 0), view_row(view, 1), view_row(view, 2)};
+    bool right_handed = real3_dot(real3_cross(rows[0], rows[1]), rows[2]) > 0;
     long double worst = 0;
     for (int i = 0; i < 3; i++) {
-        for (int k = i; k < 3; k++) {
-            long double dot = 0;
-            for (int j = 0; j < 3; j++) {
-                dot += (long double)view->m[i][j] * (long double)view->m[k][j];
-            }
-            long double error = fabsl(dot - (i == k ? 1 : 0));
-            worst = error > worst || isnan(error) ? error : worst;
-        }
+        worst = worse(worst, fabsl(real3_dot(rows[i], rows[i]) - 1));
+        worst = worse(worst, fabsl(real3_dot(rows[i], rows[(i + 1) % 3])));
     }
-    return is_right_handed(view) ? (double)worst * 0x1p52 : (double)INFINITY;
+    return right_handed ? (double)worst * 0x1p52 : (double)INFINITY;
 }
 
 /* How far they are from the oracle's axes, in ulp of 1, where these are certain. The smaller the
  * angle between up and the line of sight, the less is asked of the first two. */
 static double view_axes_error(const struct mat4 *view, const struct camera_case *c) {
     struct oracle_frame frame = oracle_frame(c->eye, c->center, c->up);
-    bool z_is_certain =
-        c->eye.x != c->center.x || c->eye.y != c->center.y || c->eye.z != c->center.z;
+    const long double certainty[3] = {frame.sine, frame.sine, real3_length(frame.axis[2])};
     long double worst = 0;
-    for (int row = z_is_certain && frame.sine > 0 ? 0 : z_is_certain ? 2 : 3; row < 3; row++) {
-        long double certainty = row < 2 ? frame.sine : 1;
-        for (int i = 0; i < 3; i++) {
-            long double error =
-                fabsl((long double)view->m[row][i] - frame.axis[row][i]) * certainty;
-            worst = error > worst || isnan(error) ? error : worst;
-        }
+    for (int row = 0; row < 3; row++) {
+        struct real3 off = real3_sub(view_row(view, row), frame.axis[row]);
+        worst = worse(worst, certainty[row] * real3_length(off));
     }
     return (double)worst * 0x1p52;
 }

@@ -133,7 +133,7 @@ struct real3 face_cross(const struct one_face *face, long double *uncertainty);
  * row and a texel, which count for nothing. */
 struct texture texture_from(uint32_t *texels, size_t width, size_t height);
 
-enum { PICTURE_SIDE = 5 };
+enum { PICTURE_SIDE = 9 };
 
 /* A small picture of any size, also of one texel, and a mip level of it. */
 struct picture {

@@ -70,57 +70,48 @@ static void make_short_line(struct random *random, uint64_t index, void *made) {
 
 /* ---- Properties ---- */
 
-/* How often each pixel of the image was drawn. */
-struct drawn {
-    unsigned char times[HEIGHT][WIDTH];
-    bool outside; /* something was drawn outside the image */
-};
-
-static struct drawn walk(struct pixel a, struct pixel b) {
-    struct drawn drawn = {.outside = false};
-    struct line_walk walk;
-    if (line_begin(&walk, a, b, WIDTH, HEIGHT)) {
-        do {
-            if (walk.x < 0 || walk.x >= WIDTH || walk.y < 0 || walk.y >= HEIGHT) {
-                drawn.outside = true;
-                return drawn;
-            }
-            drawn.times[walk.y][walk.x]++;
-        } while (line_next(&walk));
-    }
-    return drawn;
-}
-
-static bool is_exact(const struct drawn *drawn, const struct line_case *c) {
-    for (int y = 0; y < HEIGHT; y++) {
-        for (int x = 0; x < WIDTH; x++) {
-            if (drawn->times[y][x] != oracle_line_has(c->a, c->b, (struct pixel){x, y})) {
-                return false;
-            }
+/* Does each pixel have level 1 where the line is, and 0 elsewhere? */
+static bool is_exact(const struct image *image, const struct line_case *c) {
+    int width = (int)image->width, height = (int)image->height;
+    for (int i = 0; i < width * height; i++) {
+        if (image->pixels[i] != oracle_line_has(c->a, c->b, (struct pixel){i % width, i / width})) {
+            return false;
         }
     }
-    return !drawn->outside;
+    return true;
+}
+
+/* The pixel becomes a level brighter each time; false outside the image. */
+static bool draw_pixel(struct image *image, int x, int y) {
+    return image_set(image, x, y, color_grey((uint8_t)(image_get(image, x, y).b + 1)));
 }
 
 static bool line_is_exact(const void *tried) {
     const struct line_case *c = tried;
-    struct drawn drawn = walk(c->a, c->b);
-    return is_exact(&drawn, c);
+    uint8_t pixels[HEIGHT * WIDTH] = {0};
+    struct image image = {WIDTH, HEIGHT, IMAGE_GREY, pixels};
+    struct line_walk walk;
+    bool inside = true;
+    if (line_begin(&walk, c->a, c->b, WIDTH, HEIGHT)) {
+        do {
+            inside = draw_pixel(&image, walk.x, walk.y);
+        } while (inside && line_next(&walk));
+    }
+    return inside && is_exact(&image, c);
 }
 
 /* The lesson's own list of a line: all of it, of which the image shows a part. */
 static bool list_is_exact(const struct line_case *c) {
     struct pixel list[LIST_LIMIT];
-    struct drawn drawn = {.outside = false};
+    uint8_t pixels[HEIGHT * WIDTH] = {0};
+    struct image image = {WIDTH, HEIGHT, IMAGE_GREY, pixels};
     size_t count = lesson01_list(c->a, c->b, list);
+    bool right = true;
     for (size_t i = 0; i < count; i++) {
-        const struct pixel p = list[i];
-        if (p.x >= 0 && p.x < WIDTH && p.y >= 0 && p.y < HEIGHT) {
-            drawn.times[p.y][p.x]++;
-        }
-        drawn.outside = drawn.outside || !oracle_line_has(c->a, c->b, p);
+        draw_pixel(&image, list[i].x, list[i].y);
+        right = right && oracle_line_has(c->a, c->b, list[i]);
     }
-    return is_exact(&drawn, c);
+    return right && is_exact(&image, c);
 }
 
 /* The lesson's own line(), on an image, and its list. */
@@ -128,12 +119,8 @@ static bool lesson_line_is_exact(const void *tried) {
     const struct line_case *c = tried;
     uint8_t pixels[HEIGHT * WIDTH] = {0};
     struct image image = {WIDTH, HEIGHT, IMAGE_GREY, pixels};
-    struct drawn drawn = {.outside = false};
     lesson01_line(&image, c->a, c->b, color_grey(1));
-    for (int i = 0; i < WIDTH * HEIGHT; i++) {
-        drawn.times[i / WIDTH][i % WIDTH] = pixels[i];
-    }
-    return is_exact(&drawn, c) && list_is_exact(c);
+    return is_exact(&image, c) && list_is_exact(c);
 }
 
 /* ---- Lesson 2: the same on images of any size, of which a line may have little inside ---- */
@@ -155,16 +142,11 @@ static bool cut_is_exact(const void *tried) {
     const struct cut_case *c = tried;
     uint8_t pixels[HEIGHT * WIDTH] = {0};
     struct image image = {(size_t)c->width, (size_t)c->height, IMAGE_GREY, pixels};
-    uint64_t told = lesson02_line(&image, c->line.a, c->line.b, color_grey(1)), wanted = 0;
+    uint64_t told = lesson02_line(&image, c->line.a, c->line.b, color_grey(1)), drawn = 0;
     for (int i = 0; i < c->width * c->height; i++) {
-        struct pixel p = {i % c->width, i / c->width};
-        bool has = oracle_line_has(c->line.a, c->line.b, p);
-        wanted += has;
-        if (pixels[i] != has) {
-            return false;
-        }
+        drawn += pixels[i];
     }
-    return told == wanted;
+    return told == drawn && is_exact(&image, &c->line);
 }
 
 const struct property line_properties[] = {

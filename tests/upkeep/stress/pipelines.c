@@ -149,35 +149,6 @@ static int face_at(const struct soup *soup, const struct drawing *drawing, size_
     return possible ? p[0] - 1 : -2;
 }
 
-/* How far a value lies outside a range; infinitely far where it is no number. */
-static double distance_outside(double value, struct range range) {
-    long double v = (long double)value;
-    return isnan(value) ? (double)INFINITY
-                        : (double)(v < range.least  ? range.least - v
-                                   : v > range.most ? v - range.most
-                                                    : 0);
-}
-
-/* Is the right face there, at the right depth? The error is that of the depth, in ulp of the
- * largest depth at a corner. */
-static bool judge_face(const struct soup *soup, const struct drawing *drawing, int x, int y,
-                       struct tally *tally) {
-    size_t pixel = (size_t)y * soup->width + (size_t)x;
-    int face = face_at(soup, drawing, pixel);
-    struct soup_seen seen = soup_see(soup, x, y);
-    unsigned candidates = soup_candidates(soup, &seen);
-    if (face < 0) {
-        tally->asked++;
-        return face == -1 && candidates == 0;
-    }
-    tally->asked += candidates <= 1;
-    tally->left_out += candidates > 1;
-    double error = distance_outside(drawing->pipeline.depth[pixel], seen.hit[face].depth);
-    tally->error = fmax(tally->error, error / soup->polygons[face].scale * 0x1p52);
-    return soup_may_show(soup, &seen, (size_t)face) &&
-           error <= soup_depth_tolerance(soup, (size_t)face);
-}
-
 /* In the largest images not all pixels are judged: some, and those that are the first or last of
  * their face along the longer side. */
 static bool is_chosen(const struct soup *soup, const struct image *faces, int x, int y) {
@@ -189,52 +160,42 @@ static bool is_chosen(const struct soup *soup, const struct image *faces, int x,
            texel_at(faces, pixel + step) != texel_at(faces, pixel);
 }
 
-static bool judge_faces(const void *tried, struct tally *tally) {
-    const struct soup_case *c = tried;
+/* Of the values, or of the faces and their depths. */
+static bool judge_pixel(const struct soup *soup, const struct drawing *drawing, int x, int y,
+                        bool values, struct tally *tally) {
+    size_t pixel = (size_t)y * soup->width + (size_t)x;
+    int face = face_at(soup, drawing, pixel);
+    double depth = drawing->pipeline.depth[pixel];
+    if (values && face >= 0) {
+        double value = shown_real(drawing->bits, pixel);
+        return soup_value_is_right(soup, x, y, face, value, tally);
+    }
+    return face >= -1 && (values || soup_face_is_right(soup, x, y, face, depth, tally));
+}
+
+static bool judge_soup(const struct soup_case *c, bool values, struct tally *tally) {
     struct soup soup;
     struct drawing drawing;
     soup_make(&soup, c->seed, (enum soup_kind)c->kind);
     bool right = drawing_create(&drawing, soup.width, soup.height, c->seed) &&
-                 draw_faces(&drawing, &soup, c->seed);
+                 draw_faces(&drawing, &soup, c->seed) &&
+                 (!values || draw_values(&drawing, &soup, c->seed));
     for (int y = 0; right && y < (int)soup.height; y++) {
         for (int x = 0; right && x < (int)soup.width; x++) {
-            right =
-                !is_chosen(&soup, &drawing.faces, x, y) || judge_face(&soup, &drawing, x, y, tally);
+            right = !is_chosen(&soup, &drawing.faces, x, y) ||
+                    judge_pixel(&soup, &drawing, x, y, values, tally);
         }
     }
     drawing_free(&drawing);
     return right;
 }
 
-/* The value at a pixel, of the face that shows there. In 1/256 texel of 1024. */
-static bool judge_value(const struct soup *soup, const struct drawing *drawing, int x, int y,
-                        struct tally *tally) {
-    size_t pixel = (size_t)y * soup->width + (size_t)x;
-    int face = face_at(soup, drawing, pixel);
-    if (face < 0) {
-        return face == -1;
-    }
-    struct soup_hit hit = soup_look(soup, (size_t)face, x, y);
-    double error = distance_outside(shown_real(drawing->bits, pixel), hit.value);
-    tally->asked++;
-    tally->error = fmax(tally->error, error * 1024 * 256);
-    return hit.covered && error <= soup_value_tolerance(soup, &hit);
+static bool judge_faces(const void *tried, struct tally *tally) {
+    return judge_soup(tried, false, tally);
 }
 
 static bool judge_values(const void *tried, struct tally *tally) {
-    const struct soup_case *c = tried;
-    struct soup soup;
-    struct drawing drawing;
-    soup_make(&soup, c->seed, (enum soup_kind)c->kind);
-    bool right = drawing_create(&drawing, soup.width, soup.height, c->seed) &&
-                 draw_faces(&drawing, &soup, c->seed) && draw_values(&drawing, &soup, c->seed);
-    for (int y = 0; right && y < (int)soup.height; y++) {
-        for (int x = 0; right && x < (int)soup.width; x++) {
-            right = judge_value(&soup, &drawing, x, y, tally);
-        }
-    }
-    drawing_free(&drawing);
-    return right;
+    return judge_soup(tried, true, tally);
 }
 
 /* Faces in another order, each beginning with another corner. */

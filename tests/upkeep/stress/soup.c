@@ -325,10 +325,21 @@ struct soup_seen soup_see(const struct soup *soup, int x, int y) {
     return seen;
 }
 
+/* Doubles lose this much, floats thousands of times as much. */
+static double depth_tolerance(const struct soup *soup, size_t face) {
+    return soup->polygons[face].scale * (soup->kind == SOUP_WHOLE ? 0x1p-48 : 0x1p-40);
+}
+
+/* Values are interpolated in `real`: some roundings of what is added up; and where a face was cut,
+ * what rounding its corners costs. */
+static double value_tolerance(const struct soup *soup, const struct soup_hit *hit) {
+    double ulp = sizeof(real) == sizeof(float) ? 0x1p-24 : 0x1p-53;
+    return 3 * ulp * hit->value_terms + (soup->kind <= SOUP_STEEP ? 0 : 0x1p-38);
+}
+
 bool soup_may_show(const struct soup *soup, const struct soup_seen *seen, size_t face) {
     const struct soup_hit *hit = &seen->hit[face];
-    long double tolerance = soup_depth_tolerance(soup, face);
-    return hit->covered && hit->depth.most + tolerance >= seen->nearest;
+    return hit->covered && hit->depth.most + depth_tolerance(soup, face) >= seen->nearest;
 }
 
 unsigned soup_candidates(const struct soup *soup, const struct soup_seen *seen) {
@@ -339,12 +350,33 @@ unsigned soup_candidates(const struct soup *soup, const struct soup_seen *seen) 
     return candidates;
 }
 
-double soup_depth_tolerance(const struct soup *soup, size_t face) {
-    return soup->polygons[face].scale * (soup->kind == SOUP_WHOLE ? 0x1p-48 : 0x1p-40);
+/* How far a value lies outside a range; infinitely far where it is no number. */
+static double distance_outside(double value, struct range range) {
+    long double v = (long double)value;
+    return isnan(value) ? (double)INFINITY
+                        : (double)fmaxl(0, fmaxl(range.least - v, v - range.most));
 }
 
-/* Some roundings of what is added up; and where a face was cut, what rounding its corners costs. */
-double soup_value_tolerance(const struct soup *soup, const struct soup_hit *hit) {
-    double ulp = sizeof(real) == sizeof(float) ? 0x1p-24 : 0x1p-53;
-    return 3 * ulp * hit->value_terms + (soup->kind <= SOUP_STEEP ? 0 : 0x1p-38);
+bool soup_face_is_right(const struct soup *soup, int x, int y, int face, double depth,
+                        struct tally *tally) {
+    struct soup_seen seen = soup_see(soup, x, y);
+    unsigned candidates = soup_candidates(soup, &seen);
+    if (face < 0) {
+        tally->asked++;
+        return candidates == 0 && depth == (double)-INFINITY;
+    }
+    tally->asked += candidates <= 1;
+    tally->left_out += candidates > 1;
+    double error = distance_outside(depth, seen.hit[face].depth);
+    tally->error = fmax(tally->error, error / soup->polygons[face].scale * 0x1p52);
+    return soup_may_show(soup, &seen, (size_t)face) && error <= depth_tolerance(soup, (size_t)face);
+}
+
+bool soup_value_is_right(const struct soup *soup, int x, int y, int face, double value,
+                         struct tally *tally) {
+    struct soup_hit hit = soup_look(soup, (size_t)face, x, y);
+    double error = distance_outside(value, hit.value);
+    tally->asked++;
+    tally->error = fmax(tally->error, error * 1024 * 256);
+    return hit.covered && error <= value_tolerance(soup, &hit);
 }

@@ -15,7 +15,7 @@
 #define TESTS_SOUP_H
 
 #include "model.h"
-#include "oracle/oracle.h"
+#include "stress.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -102,10 +102,14 @@ struct soup_seen soup_see(const struct soup *soup, int x, int y);
 bool soup_may_show(const struct soup *soup, const struct soup_seen *seen, size_t face);
 unsigned soup_candidates(const struct soup *soup, const struct soup_seen *seen);
 
-/* By how much a depth of that face may be off and still be right: doubles lose this much, floats
- * thousands of times as much. And by how much a value, which is interpolated in `real`. */
-double soup_depth_tolerance(const struct soup *soup, size_t face);
-double soup_value_tolerance(const struct soup *soup, const struct soup_hit *hit);
+/* Is it right that a pixel shows this face (-1: none), at this depth? Counts it; the error is that
+ * of the depth, in ulp of the largest depth at a corner. */
+bool soup_face_is_right(const struct soup *soup, int x, int y, int face, double depth,
+                        struct tally *tally);
+
+/* Is it right that it shows this value of that face? The error is in 1/256 texel of 1024. */
+bool soup_value_is_right(const struct soup *soup, int x, int y, int face, double value,
+                         struct tally *tally);
 
 /* A soup as a case of a property. */
 struct soup_case {

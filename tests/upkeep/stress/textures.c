@@ -3,16 +3,10 @@
 #include "lessons.h"
 #include "stress.h"
 
-#include <string.h>
-
-enum { SIDE_LIMIT = 9 };
-
 struct texture_case {
-    int width, height;
-    uint8_t level[SIDE_LIMIT * SIDE_LIMIT][4]; /* blue, green, red, alpha */
+    struct picture picture;
     double u, v;
     double mip_level;
-    bool clamp;
 };
 
 static double any_coordinate(struct random *random, int size) {
@@ -40,26 +34,13 @@ static double any_mip_level(struct random *random) {
 
 static void make_texture(struct random *random, uint64_t index, void *made) {
     struct texture_case *c = made;
-    c->width = index % 16 == 0 ? 1 : (int)random_between(random, 1, SIDE_LIMIT);
-    c->height = index % 16 == 0 ? 1 : (int)random_between(random, 1, SIDE_LIMIT);
-    for (int i = 0; i < SIDE_LIMIT * SIDE_LIMIT; i++) {
-        uint64_t bits = random_bits(random);
-        memcpy(c->level[i], &bits, sizeof c->level[i]);
+    make_picture(random, &c->picture);
+    if (index % 16 == 0) {
+        c->picture.width = c->picture.height = 1;
     }
-    c->u = any_coordinate(random, c->width);
-    c->v = any_coordinate(random, c->height);
+    c->u = any_coordinate(random, (int)c->picture.width);
+    c->v = any_coordinate(random, (int)c->picture.height);
     c->mip_level = any_mip_level(random);
-    c->clamp = random_bits(random) % 2 == 0;
-}
-
-static bool make(const struct texture_case *c, struct texture *texture) {
-    struct error error;
-    uint8_t pixels[sizeof c->level];
-    memcpy(pixels, c->level, sizeof pixels);
-    struct image image = {(size_t)c->width, (size_t)c->height, IMAGE_BGRA, pixels};
-    bool made = texture_create(texture, &image, &error);
-    texture_set_clamp(texture, c->clamp);
-    return made;
 }
 
 /* The least for no number. */
@@ -94,17 +75,19 @@ static long double product_error(double coordinate, int size, bool clamp) {
 static bool nearest_is_exact(const void *tried) {
     const struct texture_case *c = tried;
     struct texture texture;
-    if (!make(c, &texture)) {
+    if (!texture_of_picture(&c->picture, &texture)) {
         return false;
     }
     struct color got = lesson06_nearest(&texture, (struct vec2){c->u, c->v});
     texture_free(&texture);
+    int width = (int)c->picture.width, height = (int)c->picture.height;
+    bool clamp = c->picture.clamp;
     for (int i = 0; i < 4; i++) {
-        long double x_error = product_error(c->u, c->width, c->clamp) * (i % 2 == 0 ? -1 : 1);
-        long double y_error = product_error(c->v, c->height, c->clamp) * (i / 2 == 0 ? -1 : 1);
-        int x = texel_at(in_picture(c->u, c->clamp) * c->width + x_error, c->width);
-        int y = texel_at(in_picture(c->v, c->clamp) * c->height + y_error, c->height);
-        const uint8_t *texel = c->level[y * c->width + x];
+        long double x_error = product_error(c->u, width, clamp) * (i % 2 == 0 ? -1 : 1);
+        long double y_error = product_error(c->v, height, clamp) * (i / 2 == 0 ? -1 : 1);
+        int x = texel_at(in_picture(c->u, clamp) * width + x_error, width);
+        int y = texel_at(in_picture(c->v, clamp) * height + y_error, height);
+        const uint8_t *texel = c->picture.channel[y * width + x];
         if (got.b == texel[0] && got.g == texel[1] && got.r == texel[2] && got.a == texel[3]) {
             return true;
         }
@@ -171,7 +154,7 @@ static double sample_error(struct vec4 got, struct sample exact) {
 static double bilinear_error(const void *tried) {
     const struct texture_case *c = tried;
     struct texture texture;
-    if (!make(c, &texture)) {
+    if (!texture_of_picture(&c->picture, &texture)) {
         return INFINITY;
     }
     struct vec2 uv = {c->u, c->v};
@@ -185,7 +168,7 @@ static double bilinear_error(const void *tried) {
 static double trilinear_error(const void *tried) {
     const struct texture_case *c = tried;
     struct texture texture;
-    if (!make(c, &texture)) {
+    if (!texture_of_picture(&c->picture, &texture)) {
         return INFINITY;
     }
     struct vec4 got = lesson06_trilinear(&texture, (struct vec2){c->u, c->v}, c->mip_level);
