@@ -557,8 +557,9 @@ static void test_each_allocation(void) {
 /* More elements than a size can count the bytes of; the array stays as it was. */
 static void test_too_many_elements(void) {
     size_t capacity = 0;
-    CHECK(array_reserve(NULL, &capacity, SIZE_MAX / 16 + 2, 16) == NULL && capacity == 0);
-    CHECK(array_reserve(NULL, &capacity, SIZE_MAX / 8 + 2, 8) == NULL && capacity == 0);
+    char *array = NULL;
+    CHECK(!array_extend(&array, &capacity, SIZE_MAX / 16 + 2, 16) && capacity == 0);
+    CHECK(!array_extend(&array, &capacity, SIZE_MAX / 8 + 2, 8) && array == NULL);
 }
 
 UNIT_MAIN(TEST(test_too_many_elements), TEST(test_each_allocation))
