@@ -39,9 +39,10 @@ static void describe_text(const struct program *program, FILE *out) {
 }
 
 void live_describe(const struct program *program, FILE *out) {
+    const struct options none = {.program = program};
     fprintf(out, "{\"program\":\"%s\",\"scenes\":[", program->name);
     for (size_t i = 0; i < program->scene_count; i++) {
-        const struct scene scene = scene_complete(program, &program->scenes[i]);
+        const struct scene scene = scene_complete(&none, &program->scenes[i]);
         fprintf(out, "%s{\"name\":\"%s\",\"width\":%zu,\"height\":%zu,\"frames\":%zu%s",
                 i > 0 ? "," : "", scene.name, scene.width, scene.height, scene.frames,
                 scene.extra ? ",\"extra\":true" : "");

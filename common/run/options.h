@@ -36,9 +36,9 @@ struct pixel_option {
 };
 
 struct options {
-    const char *input;                  /* model or text scene; NULL where none was named */
-    const char *more[MODELS_LIMIT - 1]; /* models behind it */
-    size_t more_count;
+    const struct program *program;
+    const char *input[MODELS_LIMIT]; /* models, or a text scene; NULL behind the last */
+    size_t input_count;
     const char *directory;    /* NULL for the default */
     const struct scene *only; /* NULL for all scenes */
     struct size_option size;
