@@ -528,14 +528,14 @@ static bool answer_scene(struct run *run, const struct scene *given, FILE *out,
     return done;
 }
 
-static bool answer_text(struct run *run, const struct live_request *request, FILE *out,
+static bool answer_text(struct run *run, const struct bytes *lines, FILE *out,
                         struct error *error) {
     const struct program *program = run->options.program;
     struct text_scene text;
     if (program->draw_text == NULL) {
         return error_set(error, "takes no text scene");
     }
-    if (!text_scene_decode(&text, request->text, request->text_size, program->text_kind, error)) {
+    if (!text_scene_decode(&text, lines->data, lines->size, program->text_kind, error)) {
         return false;
     }
     const struct scene scene = scene_of_text(run, &text, "text");
@@ -546,8 +546,7 @@ static bool answer_text(struct run *run, const struct live_request *request, FIL
 }
 
 /* Options of the request; the model, turned and fitted or not, is that of the command line. */
-static bool answer(void *context, const struct live_request *request, FILE *out,
-                   struct error *error) {
+static bool answer(void *context, struct live_request *request, FILE *out, struct error *error) {
     struct run *run = context;
     const struct program *program = run->options.program;
     run->asked = &run->request;
@@ -558,8 +557,8 @@ static bool answer(void *context, const struct live_request *request, FILE *out,
     if (run->request.input_count > 0 || run->request.live) {
         return error_set(error, "the model and --live belong on the command line");
     }
-    if (request->text != NULL) {
-        return answer_text(run, request, out, error);
+    if (request->has_text) {
+        return answer_text(run, &request->text, out, error);
     }
     const struct scene *scene = run->request.only;
     return answer_scene(run, scene != NULL ? scene : &program->scenes[0], out, error);
