@@ -204,7 +204,6 @@ static bool make_inputs(void) {
     return make_texts() && make_models() &&
            put_text(name_file(&place, "scene.txt"), "size 5 5\nline 0 0 4 4 1 2 3\n") &&
            put_text(name_file(&place, "cube.obj"), cube_obj) &&
-           put_text(name_file(&place, "cube.off"), "OFF 3 1\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n") &&
            put_text(name_file(&place, "old"), "old") &&
            tga_write(&inputs.color, name_file(&place, "cube_diffuse.tga"), &error) &&
            png_write(&inputs.color, name_file(&place, "cube_nm.png"), &error);
@@ -221,7 +220,7 @@ static void free_inputs(void) {
     bytes_free(&inputs.long_off);
     model_free(&inputs.cube);
     model_free(&inputs.many);
-    place_remove(&place, "scene.txt,cube.obj,cube.off,cube_diffuse.tga,cube_nm.png,old");
+    place_remove(&place, "scene.txt,cube.obj,cube_diffuse.tga,cube_nm.png,old");
 }
 
 /* ---- Files ---- */
@@ -324,21 +323,11 @@ static bool decode_models(struct error *error) {
            decode_model(&inputs.long_off, error);
 }
 
-static bool give_normals_and_colors(struct error *error) {
-    struct model model;
-    bool done = model_read(&model, name_file(&place, "cube.off"), error);
-    if (done) {
-        done = model_need_normals(&model, error) && model_need_colors(&model, error);
-        CHECK(model.face_count == 1); /* still a valid model */
-    }
-    model_free(&model);
-    return done;
-}
-
 /* The diffuse texture is a TGA, the normal map a PNG. */
-static bool read_textures(struct error *error) {
+static bool read_all(struct error *error) {
     struct model model;
     bool done = model_read(&model, name_file(&place, "cube.obj"), error) &&
+                model_need_normals(&model, error) && model_need_colors(&model, error) &&
                 model_texture(&model, MODEL_DIFFUSE, error) != NULL &&
                 model_texture(&model, MODEL_NORMAL_MAP, error) != NULL;
     model_free(&model);
@@ -536,8 +525,7 @@ static void test_each_allocation(void) {
         {"png_encode of a large image", encode_large, 0},
         {"text_scene_decode", decode_scene, 0},
         {"model_decode", decode_models, 0},
-        {"model_need_normals", give_normals_and_colors, 0},
-        {"model_texture", read_textures, 0},
+        {"model_need_normals, model_need_colors, model_texture", read_all, 0},
         {"pipeline_draw of many faces", draw_many, 0},
         {"pipeline_draw", draw_both_ways, 0},
         {"pipeline_draw of a model after one that failed", draw_after_a_failure, 0},
