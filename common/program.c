@@ -457,17 +457,15 @@ static bool draw_text(struct run *run, struct error *error) {
 static void warn_of_details(const struct run *run) {
     const struct program *program = run->options.program;
     char names[256] = "";
-    size_t length = 0;
     const struct options *options = &run->options;
     bool chosen = options->input_count > 0 && options->only == NULL && !options->details;
-    for (size_t i = 0; chosen && i < program->scene_count && length < sizeof names; i++) {
+    for (size_t i = 0; chosen && i < program->scene_count; i++) {
         const struct scene *scene = &program->scenes[i];
         if (scene->detail && !scene->extra) {
-            length += (size_t)snprintf(names + length, sizeof names - length, "%s %s",
-                                       length == 0 ? ":" : ",", scene->name);
+            string_append(names, sizeof names, "%s %s", names[0] == '\0' ? ":" : ",", scene->name);
         }
     }
-    if (length > 0) {
+    if (names[0] != '\0') {
         fprintf(stderr, "%s: left out, as details of the course's own model (--details)%s\n",
                 program->name, names);
     }

@@ -3,7 +3,6 @@
 
 #include "base/text.h"
 
-#include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -223,24 +222,16 @@ static const struct option {
 enum { OPTIONS_KNOWN = sizeof options_known / sizeof options_known[0] };
 
 struct details {
-    char text[1024];
+    char text[1024]; /* cut where they are too many */
 };
-
-/* Append to the details, which are cut where they are too many. */
-static void PRINTF_LIKE(2, 3) add_detail(struct details *details, const char *format, ...) {
-    size_t length = strlen(details->text);
-    va_list arguments;
-    va_start(arguments, format);
-    vsnprintf(details->text + length, sizeof details->text - length, format, arguments);
-    va_end(arguments);
-}
 
 /* The numbers of a list: their scene, range and default. */
 static void add_values(struct details *details, const struct scene_value *value,
                        const char *scene) {
     for (; value != NULL && value->name != NULL; value++) {
-        add_detail(details, "%s %s of %s, %g to %g (%g)", details->text[0] == '\0' ? ":" : ";",
-                   value->name, scene, value->least, value->most, value->value);
+        string_append(details->text, sizeof details->text, "%s %s of %s, %g to %g (%g)",
+                      details->text[0] == '\0' ? ":" : ";", value->name, scene, value->least,
+                      value->most, value->value);
     }
 }
 
@@ -250,7 +241,8 @@ static struct details details_of(const struct option *option, const struct progr
     for (size_t i = 0; i < program->scene_count; i++) {
         const struct scene *scene = &program->scenes[i];
         if (option->parse == parse_scene) {
-            add_detail(&details, "%s %s", i == 0 ? ":" : ",", scene->name);
+            string_append(details.text, sizeof details.text, "%s %s", i == 0 ? ":" : ",",
+                          scene->name);
         } else if (option->parse == parse_set && (i == 0 || scene->values != scene[-1].values)) {
             add_values(&details, scene->values, scene->name);
         }

@@ -38,15 +38,12 @@ void drawing_count(struct drawing *drawing, const char *name, uint64_t amount) {
 }
 
 void drawing_note(struct drawing *drawing, const char *format, ...) {
-    size_t length = strlen(drawing->notes);
+    char line[sizeof drawing->notes];
     va_list arguments;
     va_start(arguments, format);
-    vsnprintf(drawing->notes + length, sizeof drawing->notes - length, format, arguments);
+    vsnprintf(line, sizeof line, format, arguments);
     va_end(arguments);
-    length = strlen(drawing->notes);
-    if (length + 1 < sizeof drawing->notes) {
-        drawing->notes[length] = '\n';
-    }
+    string_append(drawing->notes, sizeof drawing->notes, "%s\n", line);
 }
 
 /* ---- Parts ---- */
@@ -264,12 +261,6 @@ static const struct {
     [MODEL_SPECULAR] = {NEEDS_SPECULAR, "the same shine everywhere", "--specular"},
 };
 
-/* Add to a list in a text of 200 bytes. */
-static void list_add(char *list, const char *entry) {
-    size_t length = strlen(list);
-    snprintf(list + length, 200 - length, "%s%s", length > 0 ? ", " : "", entry);
-}
-
 /* Say in one message which of the textures that the scenes need are not there. */
 static bool note_missing(struct run *run, unsigned needs, struct error *error) {
     char names[200] = "", instead[200] = "", options[200] = "";
@@ -281,10 +272,10 @@ static bool note_missing(struct run *run, unsigned needs, struct error *error) {
             return error_out_of_memory(error);
         }
         if (!found && (needs & replacements[kind].need) != 0 && !run->is_replaced[kind]) {
-            const char *slash = strrchr(path, '/');
-            list_add(names, slash == NULL ? path : slash + 1);
-            list_add(instead, replacements[kind].instead);
-            list_add(options, replacements[kind].option);
+            const char *slash = strrchr(path, '/'), *comma = note == NULL ? "" : ", ";
+            string_append(names, sizeof names, "%s%s", comma, slash == NULL ? path : slash + 1);
+            string_append(instead, sizeof instead, "%s%s", comma, replacements[kind].instead);
+            string_append(options, sizeof options, "%s%s", comma, replacements[kind].option);
             note = note == NULL ? &run->replaced[kind] : note;
             run->is_replaced[kind] = true;
         }

@@ -539,12 +539,12 @@ static bool draw_sight(struct drawing *drawing, struct image *image, struct erro
     (void)error;
     p = vec3_add(p, zero); /* no negative zeros */
     n = vec3_add(n, zero);
-    int used = snprintf(sight, sizeof sight, "%g %g %g, %g %g %g,", p.x, p.y, p.z, n.x, n.y, n.z);
+    snprintf(sight, sizeof sight, "%g %g %g, %g %g %g,", p.x, p.y, p.z, n.x, n.y, n.z);
     for (int i = 0; i < 3; i++) {
         const struct texture *t = textures[i];
-        used += snprintf(sight + used, sizeof sight - (size_t)used, t == NULL ? " none" : " %X%s",
-                         t == NULL ? 0 : t->level[0].texels[0],
-                         t != NULL && t->tangent_space ? " tangent" : "");
+        string_append(sight, sizeof sight, t == NULL ? " none" : " %X%s",
+                      t == NULL ? 0 : t->level[0].texels[0],
+                      t != NULL && t->tangent_space ? " tangent" : "");
     }
     CHECK_TEXT(sight, expected_sight);
     return image_set(image, 0, 0, color_grey(1));
@@ -557,10 +557,9 @@ static bool draw_materials(struct drawing *drawing, struct image *image, struct 
     (void)error;
     size_t count = 0;
     for (; drawing_take_part(drawing, count); count++) {
-        size_t length = strlen(parts);
-        snprintf(parts + length, sizeof parts - length, "%zu %06X %g %g%s;",
-                 drawing->model->face_count, drawing->diffuse->level[0].texels[0] & 0xFFFFFF,
-                 drawing->specular_weight, drawing->power, drawing->ambient != NULL ? " Ka" : "");
+        string_append(parts, sizeof parts, "%zu %06X %g %g%s;", drawing->model->face_count,
+                      drawing->diffuse->level[0].texels[0] & 0xFFFFFF, drawing->specular_weight,
+                      drawing->power, drawing->ambient != NULL ? " Ka" : "");
         CHECK(drawing->specular->level_count > 0);
     }
     CHECK_TEXT(parts, expected_parts);
