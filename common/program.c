@@ -18,11 +18,6 @@
 #include <string.h>
 #include <time.h>
 
-#ifndef COURSE_BUILD
-#define COURSE_BUILD "build"
-#endif
-#define OUTPUT_DIRECTORY COURSE_BUILD "/out"
-
 enum { STATUS_DONE = 0, STATUS_FAILED = 1, STATUS_USAGE = 2 };
 enum { FRAME_DELAY_MS = 40 }; /* of an animation: 25 frames a second */
 
@@ -575,9 +570,7 @@ static FILE *live_output(void) {
 /* All that any scene needs of the model is read at once. */
 static bool answer_all(struct run *run, struct error *error) {
     const struct program *program = run->options.program;
-    for (size_t i = 0; i < program->scene_count; i++) {
-        run->needs |= program->scenes[i].needs;
-    }
+    run->needs = program_needs(program);
     FILE *out = live_output();
     bool done = out != NULL ? live_loop(program, stdin, out, answer, run, error)
                             : error_set(error, "cannot write to standard output");
@@ -594,7 +587,7 @@ static bool run_command(struct run *run, struct error *error) {
     bool text = run->options.input_count > 0 && program->draw_text != NULL;
     bool done = true;
     if (run->options.help) {
-        options_print_help(program, OUTPUT_DIRECTORY, default_model_path);
+        options_print_help(program);
     } else if (run->options.live) {
         done = answer_all(run, error);
     } else {

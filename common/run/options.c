@@ -253,8 +253,7 @@ static struct details details_of(const struct option *option, const struct progr
     return details;
 }
 
-/* What one scene needs or another. */
-static unsigned needs_of(const struct program *program) {
+unsigned program_needs(const struct program *program) {
     unsigned needs = 0;
     for (size_t i = 0; i < program->scene_count; i++) {
         needs |= program->scenes[i].needs;
@@ -262,8 +261,9 @@ static unsigned needs_of(const struct program *program) {
     return needs;
 }
 
-bool program_takes_model(const struct program *program) {
-    return program->draw_text == NULL && (needs_of(program) & ~(unsigned)NEEDS_DEPTH) != 0;
+/* Does it draw a model, which the command line may then name? */
+static bool takes_model(const struct program *program) {
+    return program->draw_text == NULL && (program_needs(program) & ~(unsigned)NEEDS_DEPTH) != 0;
 }
 
 static bool takes_values(const struct program *program) {
@@ -275,7 +275,7 @@ static bool takes_values(const struct program *program) {
 }
 
 static bool takes_option(const struct program *program, const struct option *option) {
-    unsigned has = ALWAYS | needs_of(program) | (program_takes_model(program) ? WITH_MODEL : 0) |
+    unsigned has = ALWAYS | program_needs(program) | (takes_model(program) ? WITH_MODEL : 0) |
                    (program->takes_camera ? WITH_CAMERA : 0) |
                    (program->takes_light ? WITH_LIGHT : 0) |
                    (takes_values(program) ? WITH_VALUES : 0);
@@ -296,7 +296,7 @@ static const struct option *find_option(const struct program *program, const cha
 
 static bool parse_input(struct options *options, const char *input, struct error *error) {
     const struct program *program = options->program;
-    bool takes_input = program->draw_text != NULL || program_takes_model(program);
+    bool takes_input = program->draw_text != NULL || takes_model(program);
     if (input[0] == '\0') {
         return error_set(error, "an empty name of a file; try --help");
     }
@@ -353,11 +353,9 @@ bool options_parse(struct options *options, const struct program *program, int a
 
 /* ---- Help ---- */
 
-void options_print_help(const struct program *program, const char *directory,
-                        const char *default_model) {
-    bool takes_model = program_takes_model(program);
+void options_print_help(const struct program *program) {
     const char *input = program->draw_text != NULL ? " [scene.txt]"
-                        : takes_model              ? " [model.obj | model.off]"
+                        : takes_model(program)     ? " [model.obj | model.off]"
                                                    : "";
     printf("%s: %s\n\n", program->name, program->summary);
     printf("usage: %s [options]%s%s\n\n", program->name, input, program->takes_models ? "..." : "");
@@ -369,10 +367,10 @@ void options_print_help(const struct program *program, const char *directory,
                    details_of(option, program).text);
         }
     }
-    printf("\nWithout -o the images go to %s/%s\n", directory, program->name);
+    printf("\nWithout -o the images go to %s/%s\n", OUTPUT_DIRECTORY, program->name);
     if (program->draw_text != NULL) {
         printf("A text scene draws what its lines say; '-' reads standard input.\n");
-    } else if (takes_model) {
-        printf("Without a model: %s\n", default_model);
+    } else if (takes_model(program)) {
+        printf("Without a model: %s/%s\n", MODELS_DIRECTORY, DEFAULT_MODEL);
     }
 }

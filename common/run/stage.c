@@ -13,15 +13,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The Makefile tells where it builds, so that a step runs from any working directory. */
-#ifndef COURSE_BUILD
-#define COURSE_BUILD "build"
-#endif
-#define MODELS_DIRECTORY COURSE_BUILD "/models"
-#define DEFAULT_MODEL    "bust.obj"
-
-const char *const default_model_path = MODELS_DIRECTORY "/" DEFAULT_MODEL;
-
 /* ---- Counting ---- */
 
 void drawing_count(struct drawing *drawing, const char *name, uint64_t amount) {

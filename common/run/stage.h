@@ -44,9 +44,6 @@ struct loaded run_loaded(const struct run *run);
 /* Free what was loaded. */
 void run_free(struct run *run);
 
-/* The course's own model for scenes that name none. */
-extern const char *const default_model_path;
-
 /* The scene of the options' program with what they say, then its own values, then the program's. */
 struct scene scene_complete(const struct options *options, const struct scene *scene);
 
