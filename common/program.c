@@ -62,11 +62,12 @@ static bool check_camera(const struct scene *scene, struct error *error) {
            error_set(error, "scene %s: the eye and the center are %s", scene->name, fault);
 }
 
-/* The frames of a scene, and how many columns and rows of them are on a sheet, whose size they share
- * out. In a file that moves each has the size of the scene. One picture is one frame. */
+/* The frames of a scene, and how many of them lie side by side on a sheet. In a file that moves
+ * each has the size of the scene; those of a sheet share it out. One picture is one frame. */
 struct frames {
     struct image *frame;
-    size_t count, columns, rows, width, height; /* and the pixels of each */
+    size_t count, columns, rows;
+    size_t width, height; /* pixels of each */
 };
 
 static struct frames lay_out(const struct options *options, const struct scene *scene) {

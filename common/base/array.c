@@ -17,11 +17,11 @@ bool array_grow(void *pointer, size_t *capacity, size_t count, size_t element_si
     }
     void *array;
     memcpy(&array, pointer, sizeof array);
-    array = realloc(array, wanted * element_size);
-    if (array != NULL) {
-        memcpy(pointer, &array, sizeof array);
+    void *moved = realloc(array, wanted * element_size);
+    if (moved != NULL) {
+        memcpy(pointer, &moved, sizeof moved);
         *capacity = wanted;
-        ask_for_large_pages(array, wanted * element_size);
+        ask_for_large_pages(moved, wanted * element_size);
     }
-    return array != NULL;
+    return moved != NULL;
 }
