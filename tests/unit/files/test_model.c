@@ -378,6 +378,8 @@ static void test_messages(void) {
         {"OFF\n1 1 0\n0 0\n3 0 0 0\n", "4: the colour of a face has 3 or 4 numbers, not 2"},
         {"OFF\n1 1 0\n0 0 0 0\n3 0 0 0\n",
          "4: the file goes on after 1 faces, none with 3 corners"},
+        {"OFF\n3 1 0\n0 0 0 1 0 0\n1 0 0 0 1 0\n0 1 0 0 0 1 9 3\n0 1 2\n", /* hardly colours */
+         "4: the colour of a face has 3 or 4 numbers, not 2"},
         {"OFF\n1 1 0\n0 0 0\n3 0 0 0\n3 0 0 0\n", "5: the file goes on after 1 faces"},
         {"OFF\n1 1\n0 0 0\n3 0 0 0\n\nend\n", "6: the file goes on after 1 faces"},
         {"OFF 1 2 0 0 0 0 3 0 0 0 3 0 0 0\n", "1: the file ends after 1 of 2 faces"},
@@ -628,6 +630,11 @@ static void test_other_names(void) {
     CHECK(strstr(error.message, "/a.obj: neither a PNG nor a TGA") != NULL);
     model_free(&m);
     CHECK(unlink(name_file(&place, "a_spec.JPG")) == 0);
+    put_picture(&place, "a_spec.tga", color_grey(1));
+    CHECK(model_read(&m, model_path, &error) && model_textures_present(&m) == 1);
+    CHECK(model_texture(&m, MODEL_NORMAL_MAP, &error) == NULL);
+    model_free(&m);
+    CHECK(unlink(name_file(&place, "a_spec.tga")) == 0);
     place_remove(&place, "a.obj");
 }
 

@@ -556,5 +556,17 @@ static void test_animation(void) {
     }
 }
 
+/* Frames without a difference: a part of one pixel, also where there is no other. */
+static void test_still_animation(void) {
+    struct image frames[2] = {new_image(1, 1, IMAGE_GREY), new_image(1, 1, IMAGE_GREY)};
+    struct bytes file = {0};
+    struct error error;
+    CHECK(apng_encode(frames, 2, 40, &file, &error));
+    CHECK(play(&file, frames, 2, 40) == 2);
+    image_free(&frames[0]);
+    image_free(&frames[1]);
+    bytes_free(&file);
+}
+
 UNIT_MAIN(TEST(test_every_kind), TEST(test_chunks), TEST(test_round_trip),
-          TEST(test_choice_of_filters), TEST(test_animation))
+          TEST(test_choice_of_filters), TEST(test_animation), TEST(test_still_animation))

@@ -80,6 +80,7 @@ static void test_kept(void) {
         decode("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nvn 0.5 0 2\nvn 0 0 -9\nvt 0 0\nvt 1 0\n"
                "usemtl a\nf 1/1/1 2/2/1 3/1/1\nusemtl b\nf 1/1/2 2/2/2 3/2/2\nf 1//1 3//1 2//1\n");
     CHECK(model_add_other_sides(&model, true, &error) && model.face_count == 6);
+    CHECK(model.normal_count == 2 * 2);
     for (size_t i = 0; i < 3; i++) {
         check_sides(&model, i);
     }

@@ -120,10 +120,12 @@ enum { ARGUMENT_LIMIT = 16, OUTPUT_LIMIT = 8192 };
 
 static struct place place;        /* where they all work */
 static char output[OUTPUT_LIMIT]; /* standard output and error of the last run */
+static size_t output_size;
 
 static void keep_output(int file) {
     ssize_t size = pread(file, output, sizeof output - 1, 0);
-    output[size > 0 ? size : 0] = '\0';
+    output_size = size > 0 ? (size_t)size : 0;
+    output[output_size] = '\0';
     close(file);
 }
 
@@ -215,6 +217,10 @@ static void test_usage(void) {
     CHECK_RUN(&failing_program, "--eye 1,2,3", 2,
               "probe: unknown option '--eye'; try --help\n"); /* a program without a camera */
     CHECK(run(&model_program, "a.obj b.obj") == 2);
+    struct program several = model_program;
+    several.takes_models = true;
+    CHECK_RUN(&several, "a.obj b.obj c.obj d.obj e.obj", 2,
+              "probe: one argument too many: 'e.obj'; try --help\n");
     CHECK(run(&text_program, "--only bad scene.txt") == 2);
 }
 
@@ -225,6 +231,9 @@ static void test_help(void) {
     CHECK(strstr(output, "--eye") != NULL);
     CHECK(run(&failing_program, "-h") == 0);
     CHECK(strstr(output, "--eye") == NULL);
+    CHECK(strstr(output, "standard input") == NULL);
+    CHECK(run(&text_program, "-h") == 0);
+    CHECK(strstr(output, "'-' reads standard input.\n") != NULL);
 }
 
 /* A scene that is no part of the lesson is drawn when it is named. */
@@ -470,6 +479,7 @@ static void test_live(void) {
     CHECK(strstr(output, "\nerror --probe wants a pixel X,Y") != NULL);
     CHECK(run_with_input(&text_program, "--live", "text\nline 2 0 4 0 10 20 30\nend\n") == 0);
     CHECK(strstr(output, "\nframe 5 5 ") != NULL);
+    CHECK(memcmp(output + output_size - 12, "\12\24\36\377", 4) == 0); /* the third from the end */
 }
 
 /* What --live says first. */

@@ -10,8 +10,8 @@
 #
 # MAKE builds a program; STEP is 5, 05 or step05_zbuffer; PATTERN: only mistakes and programs with
 # it in their names. Works in BUILD, where the check, the library and the models must be built. As
-# many at a time as there are processors; WORKERS=1 in the environment for one, VERIFY_FIFTH=0 to 4
-# for every fifth mistake and correct program.
+# many at a time as there are processors; WORKERS=1 in the environment for one, VERIFY_EIGHTH=0 to 7
+# for every eighth mistake and correct program.
 #
 # Prints each finding as it comes, with what the check said, then how many of each lesson were judged
 # rightly.
@@ -21,7 +21,7 @@ build=$1
 make=$2
 wanted=${3:-}
 only=${4:-}
-fifth=${VERIFY_FIFTH:-}
+eighth=${VERIFY_EIGHTH:-}
 workers=${WORKERS:-$(getconf _NPROCESSORS_ONLN 2>/dev/null || echo 2)}
 work=$(mktemp -d "$build/verify.XXXXXX") || exit 1
 trap 'rm -rf "$work"' EXIT
@@ -136,9 +136,9 @@ print_table() {
 
 find_lessons
 make_table
-if [ -n "$fifth" ]; then
-    awk -F '\t' -v fifth="$fifth" '$3 !~ /^(mistake|accept)$/ || ++listed % 5 == fifth' \
-        "$work/table" >"$work/fifth" && mv "$work/fifth" "$work/table" || exit 1
+if [ -n "$eighth" ]; then
+    awk -F '\t' -v eighth="$eighth" '$3 !~ /^(mistake|accept)$/ || ++listed % 8 == eighth' \
+        "$work/table" >"$work/eighth" && mv "$work/eighth" "$work/table" || exit 1
 fi
 : >"$work/results"
 cut -f 1 "$work/table" |
