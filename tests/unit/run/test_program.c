@@ -229,6 +229,7 @@ static void test_help(void) {
     CHECK(strstr(output, "probe: a program to try") != NULL);
     CHECK(strstr(output, "dot, film, more") != NULL);
     CHECK(strstr(output, "--eye") != NULL);
+    CHECK(strstr(output, "/out/probe\n") != NULL);
     CHECK(run(&failing_program, "-h") == 0);
     CHECK(strstr(output, "--eye") == NULL);
     CHECK(strstr(output, "standard input") == NULL);
