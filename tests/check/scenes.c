@@ -52,14 +52,12 @@ static struct checked_step *find_or_add_step(struct scene_table *table, struct t
             return NULL;
         }
     }
-    struct checked_step *steps =
-        array_reserve(table->steps, &table->step_capacity, table->step_count + 1, sizeof *steps);
-    if (steps == NULL) {
+    if (!array_extend(&table->steps, &table->step_capacity, table->step_count + 1,
+                      sizeof *table->steps)) {
         error_out_of_memory(error);
         return NULL;
     }
-    table->steps = steps;
-    struct checked_step *step = &steps[table->step_count++];
+    struct checked_step *step = &table->steps[table->step_count++];
     memset(step, 0, sizeof *step);
     memcpy(step->name, name, sizeof name);
     return step;
@@ -348,13 +346,10 @@ static bool read_item(struct scene_table *table, enum item_kind kind, struct tex
         !read_end(text, error)) {
         return false;
     }
-    struct checked_item *items =
-        array_reserve(step->items, &step->item_capacity, step->item_count + 1, sizeof *items);
-    if (items == NULL) {
+    if (!array_extend(&step->items, &step->item_capacity, step->item_count + 1, sizeof item)) {
         return error_out_of_memory(error);
     }
-    step->items = items;
-    items[step->item_count++] = item;
+    step->items[step->item_count++] = item;
     step->scene_count += kind == ITEM_PICTURE;
     return true;
 }

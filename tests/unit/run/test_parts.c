@@ -12,19 +12,16 @@
 /* Faces by their first positions, and the colour of the texture. */
 static void describe(const struct parts *parts, size_t i, char *text, size_t size) {
     const struct drawing_part *part = &parts->part[i];
-    size_t length = strlen(text);
     for (size_t face = 0; face < part->model.face_count; face++) {
-        snprintf(text + length, size - length, "%u", part->model.faces[face].corner[0].position);
-        length = strlen(text);
+        string_append(text, size, "%u", part->model.faces[face].corner[0].position);
     }
-    snprintf(text + length, size - length, " %06X%s", part->diffuse.level[0].texels[0] & 0xFFFFFF,
-             part->diffuse.clamp ? " c" : "");
-    length = strlen(text);
+    string_append(text, size, " %06X%s", part->diffuse.level[0].texels[0] & 0xFFFFFF,
+                  part->diffuse.clamp ? " c" : "");
     if (part->ambient.level_count > 0) {
-        snprintf(text + length, size - length, " Ka %06X%s",
-                 part->ambient.level[0].texels[0] & 0xFFFFFF, part->ambient.clamp ? " c" : "");
+        string_append(text, size, " Ka %06X%s", part->ambient.level[0].texels[0] & 0xFFFFFF,
+                      part->ambient.clamp ? " c" : "");
     }
-    strcat(text, ";");
+    string_append(text, size, ";");
 }
 
 /* Read a model of these faces and materials; CHECK what its parts are. */
