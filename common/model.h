@@ -92,7 +92,6 @@ struct model {
     int turns[3]; /* quarter turns around x, y, z since it was read: see fit.h */
     const char *texture_files[MODEL_TEXTURE_KINDS]; /* to read instead; NULL: those next to it */
     struct texture textures[MODEL_TEXTURE_KINDS];   /* empty until first asked for */
-    uint64_t bytes_read;                            /* of the file and of its textures */
 };
 
 /* Free everything and leave an empty model. */

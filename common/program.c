@@ -18,22 +18,8 @@
 #include <string.h>
 #include <time.h>
 
-#ifndef COURSE_BUILD
-#define COURSE_BUILD "build"
-#endif
-#define OUTPUT_DIRECTORY COURSE_BUILD "/out"
-
 enum { STATUS_DONE = 0, STATUS_FAILED = 1, STATUS_USAGE = 2 };
 enum { FRAME_DELAY_MS = 40 }; /* of an animation: 25 frames a second */
-
-/* What the command line asks for. */
-struct command {
-    struct options options; /* of the command line */
-    struct options request; /* of --live: the one that is answered */
-    struct run run;
-    bool suggested;     /* suggest_fit() has looked at the model */
-    const char *advice; /* the last one of warn_of_nothing() */
-};
 
 /* ---- Timing ---- */
 
@@ -56,28 +42,8 @@ static double median(double *values, size_t value_count) {
 
 /* ---- Scenes ---- */
 
-static struct vec3 chosen(const struct vec3_option *option, struct vec3 otherwise) {
-    return option->given ? option->value : otherwise;
-}
-
-/* The scene with the options of the command line instead of its own values. */
-static struct scene chosen_scene(const struct command *command, const struct scene *given) {
-    const struct options *options = command->run.asked;
-    struct scene scene = scene_complete(command->run.program, given);
-    if (options->size.width > 0) {
-        scene.width = options->size.width;
-        scene.height = options->size.height;
-    }
-    scene.eye = chosen(&options->eye, scene.eye);
-    scene.center = chosen(&options->center, scene.center);
-    scene.up = chosen(&options->up, scene.up);
-    scene.light = chosen(&options->light, scene.light);
-    return scene;
-}
-
-static bool is_chosen(const struct command *command, const struct scene *scene) {
-    const struct options *options = command->run.asked;
-    bool of_another = options->input != NULL && scene->detail && !options->details;
+static bool is_chosen(const struct options *options, const struct scene *scene) {
+    bool of_another = options->input_count > 0 && scene->detail && !options->details;
     return options->only == NULL ? !scene->extra && !of_another : options->only == scene;
 }
 
@@ -96,37 +62,45 @@ static bool check_camera(const struct scene *scene, struct error *error) {
            error_set(error, "scene %s: the eye and the center are %s", scene->name, fault);
 }
 
-/* How many frames are side by side on a sheet, and how many rows of them there are. In a file that
- * moves each frame has the size of the scene; those of a sheet share it out. */
-struct sheet {
-    size_t columns, rows;
+/* The frames of a scene, and how many of them lie side by side on a sheet. In a file that moves
+ * each has the size of the scene; those of a sheet share it out. One picture is one frame. */
+struct frames {
+    struct image *frame;
+    size_t count, columns, rows;
+    size_t width, height; /* pixels of each */
 };
 
-static struct sheet sheet_of(const struct options *options, const struct scene *scene) {
+static struct frames lay_out(const struct options *options, const struct scene *scene) {
     size_t count = options->format->write_frames != NULL ? 1 : scene->frames, columns = 1;
     while (columns * columns < count) {
         columns++;
     }
-    return (struct sheet){columns, (count + columns - 1) / columns};
+    size_t rows = (count + columns - 1) / columns;
+    return (struct frames){
+        .count = scene->frames,
+        .columns = columns,
+        .rows = rows,
+        .width = scene->width / columns,
+        .height = scene->height / rows,
+    };
 }
 
 static bool check_size(const struct options *options, const struct scene *scene,
                        struct error *error) {
-    const struct sheet sheet = sheet_of(options, scene);
-    return (scene->width >= sheet.columns && scene->height >= sheet.rows) ||
+    const struct frames frames = lay_out(options, scene);
+    return (frames.width > 0 && frames.height > 0) ||
            error_set(error, "scene %s: %zu frames need at least %zux%zu pixels", scene->name,
-                     scene->frames, sheet.columns, sheet.rows);
+                     frames.count, frames.columns, frames.rows);
 }
 
-/* Do the options of the command line go together with the scenes? */
-static bool check_options(const struct command *command, struct error *error) {
-    const struct program *program = command->run.program;
-    const struct options *options = command->run.asked;
+/* Do the options go together with the scenes? */
+static bool check_options(const struct options *options, struct error *error) {
+    const struct program *program = options->program;
     bool moved = options->eye.given || options->center.given;
     for (size_t i = 0; i < program->scene_count; i++) {
-        const struct scene scene = chosen_scene(command, &program->scenes[i]);
+        const struct scene scene = scene_complete(options, &program->scenes[i]);
         bool right =
-            !is_chosen(command, &program->scenes[i]) ||
+            !is_chosen(options, &program->scenes[i]) ||
             (check_size(options, &scene, error) && (!moved || check_camera(&scene, error)));
         if (!right) {
             return false;
@@ -137,22 +111,9 @@ static bool check_options(const struct command *command, struct error *error) {
 
 /* ---- Frames ---- */
 
-/* The frames of a scene. One picture is one frame. */
-struct frames {
-    struct image *frame;
-    size_t count, width, height; /* how many, and the pixels of each */
-    struct sheet sheet;
-};
-
 static bool frames_create(struct frames *frames, const struct options *options,
                           const struct scene *scene, struct error *error) {
-    const struct sheet sheet = sheet_of(options, scene);
-    *frames = (struct frames){
-        .count = scene->frames,
-        .sheet = sheet,
-        .width = scene->width / sheet.columns,
-        .height = scene->height / sheet.rows,
-    };
+    *frames = lay_out(options, scene);
     frames->frame = calloc(frames->count, sizeof *frames->frame);
     if (frames->frame == NULL) {
         return error_out_of_memory(error);
@@ -176,8 +137,8 @@ static void frames_free(struct frames *frames) {
 /* Copy a frame into its place on the sheet, the first one top left. */
 static void place_frame(struct image *image, const struct frames *frames, size_t index) {
     const struct image *frame = &frames->frame[index];
-    size_t left = index % frames->sheet.columns * frame->width;
-    size_t bottom = (frames->sheet.rows - 1 - index / frames->sheet.columns) * frame->height;
+    size_t left = index % frames->columns * frame->width;
+    size_t bottom = (frames->rows - 1 - index / frames->columns) * frame->height;
     size_t row_size = frame->width * frame->format;
     for (size_t y = 0; y < frame->height; y++) {
         memcpy(image->pixels + ((bottom + y) * image->width + left) * frame->format,
@@ -208,13 +169,13 @@ static bool write_frames(const char *path, const struct options *options, const 
     return done;
 }
 
-static bool save(const struct command *command, const struct scene *scene,
-                 const struct frames *frames, struct error *error) {
-    const struct options *options = &command->options;
+static bool save(const struct run *run, const struct scene *scene, const struct frames *frames,
+                 struct error *error) {
+    const struct options *options = &run->options;
     const char *extension = image_file_extension(options->format, &frames->frame[0]);
     char *directory = options->directory != NULL
                           ? string_format("%s", options->directory)
-                          : string_format("%s/%s", OUTPUT_DIRECTORY, command->run.program->name);
+                          : string_format("%s/%s", OUTPUT_DIRECTORY, run->options.program->name);
     char *path =
         directory != NULL ? string_format("%s/%s.%s", directory, scene->name, extension) : NULL;
     bool done = path != NULL ? directory_create(directory, error) &&
@@ -230,34 +191,33 @@ static bool save(const struct command *command, const struct scene *scene,
 
 /* ---- Warnings: what a picture does not tell ---- */
 
-static void say(const struct command *command, const struct error *error) {
-    fprintf(stderr, "%s: %s\n", command->run.program->name, error->message);
+static void say(const struct run *run, const struct error *error) {
+    fprintf(stderr, "%s: %s\n", run->options.program->name, error->message);
 }
 
 /* Say once what was wrong with the file of a model that is drawn all the same. */
-static void warn_of_file(const struct command *command, struct model *model) {
+static void warn_of_file(const struct run *run, struct model *model) {
     for (int i = 0; i < MODEL_WARNINGS; i++) {
         struct error warning;
         if (model->warning_line[i] > 0) {
             error_set(&warning, "%s", model_warning_text((enum model_warning)i));
             warning.line = model->warning_line[i];
             error_name_input(&warning, model->path);
-            say(command, &warning);
+            say(run, &warning);
         }
         model->warning_line[i] = 0;
     }
 }
 
 /* The same of all models, and of textures. */
-static void warn_of_files(struct command *command) {
-    warn_of_file(command, &command->run.model);
-    for (size_t i = 0; i < command->options.more_count; i++) {
-        warn_of_file(command, &command->run.others[i]);
+static void warn_of_files(struct run *run) {
+    for (size_t i = 0; i < run->model_count; i++) {
+        warn_of_file(run, &run->model[i]);
     }
     for (int i = 0; i < MODEL_TEXTURE_KINDS; i++) {
-        struct error *replaced = &command->run.replaced[i];
+        struct error *replaced = &run->replaced[i];
         if (replaced->message[0] != '\0') {
-            say(command, replaced);
+            say(run, replaced);
         }
         replaced->message[0] = '\0';
     }
@@ -265,13 +225,13 @@ static void warn_of_files(struct command *command) {
 
 /* Say once that the model of the command line may be out of view, or hard to see. Who places
  * the camera knows. */
-static void suggest_fit(struct command *command, const struct model *model) {
-    const struct options *options = &command->options;
+static void suggest_fit(struct run *run, const struct model *model) {
+    const struct options *options = &run->options;
     bool placed = options->fit || options->eye.given || options->center.given;
-    if (model == NULL || options->input == NULL || placed || command->suggested) {
+    if (model == NULL || options->input_count == 0 || placed || run->fit_suggested) {
         return;
     }
-    command->suggested = true;
+    run->fit_suggested = true;
     struct box3 box = model_box(model);
     struct error advice;
     if (box_reaches_out(box)) {
@@ -281,8 +241,8 @@ static void suggest_fit(struct command *command, const struct model *model) {
     } else {
         return;
     }
-    error_name_input(&advice, options->input);
-    say(command, &advice);
+    error_name_input(&advice, options->input[0]);
+    say(run, &advice);
 }
 
 /* All frames are black, or a single picture has a background and nothing before it. */
@@ -328,9 +288,9 @@ static bool is_a_face_seen(const struct stage *stage) {
 }
 
 /* Why a scene may show nothing, or what may help. */
-static const char *advise(const struct command *command, const struct stage *stage) {
-    const struct options *options = &command->options;
-    const struct program *program = command->run.program;
+static const char *advise(const struct run *run, const struct stage *stage) {
+    const struct options *options = &run->options;
+    const struct program *program = run->options.program;
     struct box3 box = model_box(stage->drawing.model);
     if (stage->drawing.parts != NULL && stage->drawing.part_count == 0) {
         return ": its materials hide all faces (d 0)";
@@ -352,20 +312,20 @@ static const char *advise(const struct command *command, const struct stage *sta
 
 /* Say that a scene shows nothing of its model, where an option chose what is in view. Without one
  * it is the lesson that is not yet written. What is true of several scenes is said of the first. */
-static void warn_of_nothing(struct command *command, const struct stage *stage,
+static void warn_of_nothing(struct run *run, const struct stage *stage,
                             const struct frames *frames) {
-    const struct options *options = &command->options;
-    bool chosen = options->input != NULL || options->eye.given || options->center.given ||
+    const struct options *options = &run->options;
+    bool chosen = options->input_count > 0 || options->eye.given || options->center.given ||
                   options->light.given;
     if (!chosen || !scene_needs_model(&stage->scene) || !shows_nothing(stage, frames)) {
         return;
     }
-    const char *advice = advise(command, stage);
-    if (command->advice == NULL || strcmp(command->advice, advice) != 0) {
-        fprintf(stderr, "%s: scene %s: nothing was drawn%s\n", command->run.program->name,
+    const char *advice = advise(run, stage);
+    if (run->advice == NULL || strcmp(run->advice, advice) != 0) {
+        fprintf(stderr, "%s: scene %s: nothing was drawn%s\n", run->options.program->name,
                 stage->scene.name, advice);
     }
-    command->advice = advice;
+    run->advice = advice;
 }
 
 /* ---- Drawing ---- */
@@ -412,34 +372,33 @@ static void print_counters(const struct stage *stage) {
     }
 }
 
-/* How much was read, in all. */
+/* How many textures there are and were read, in all. */
 static void print_loaded(const struct run *run) {
     const struct loaded loaded = run_loaded(run);
-    printf("files.bytes_read: %llu\n", (unsigned long long)loaded.bytes);
     printf("files.textures_present: %llu\n", (unsigned long long)loaded.textures_present);
     printf("files.textures_read: %llu\n", (unsigned long long)loaded.textures_read);
 }
 
 /* Load, draw and save one scene. */
-static bool draw_scene(struct command *command, const struct scene *given, struct error *error) {
-    const struct options *options = &command->options;
-    const struct scene scene = chosen_scene(command, given);
+static bool draw_scene(struct run *run, const struct scene *given, struct error *error) {
+    const struct options *options = &run->options;
+    const struct scene scene = scene_complete(options, given);
     struct frames frames = {0};
     struct stage stage = {0};
     bool done = frames_create(&frames, options, &scene, error) &&
-                stage_begin(&stage, &command->run, &scene, frames.width, frames.height, error);
-    warn_of_files(command);
+                stage_begin(&stage, run, &scene, frames.width, frames.height, error);
+    warn_of_files(run);
     if (done) {
-        suggest_fit(command, stage.drawing.model);
+        suggest_fit(run, stage.drawing.model);
     }
     if (done && options->repeat > 0) {
         done = draw_timed(&stage, &frames, options->repeat, error);
     } else if (done) {
         done = draw_frames(&stage, &frames, false, error);
     }
-    done = done && save(command, &scene, &frames, error);
+    done = done && save(run, &scene, &frames, error);
     if (done) {
-        warn_of_nothing(command, &stage, &frames);
+        warn_of_nothing(run, &stage, &frames);
     }
     if (done && options->stats) {
         print_counters(&stage);
@@ -462,27 +421,27 @@ static char *text_scene_name(const char *path) {
 }
 
 /* The scene that draws what is in the text, from now on. */
-static struct scene scene_of_text(struct command *command, const struct text_scene *text,
+static struct scene scene_of_text(struct run *run, const struct text_scene *text,
                                   const char *name) {
-    command->run.text = text;
+    run->text = text;
     return (struct scene){
         .name = name,
         .width = text->width,
         .height = text->height,
-        .values = command->run.program->text_values,
-        .draw = command->run.program->draw_text,
+        .values = run->options.program->text_values,
+        .draw = run->options.program->draw_text,
     };
 }
 
-static bool draw_text(struct command *command, struct error *error) {
-    const char *path = command->options.input;
+static bool draw_text(struct run *run, struct error *error) {
+    const char *path = run->options.input[0];
     struct text_scene text = {0};
     char *name = text_scene_name(path);
-    bool done = name != NULL ? text_scene_read(&text, path, command->run.program->text_kind, error)
+    bool done = name != NULL ? text_scene_read(&text, path, run->options.program->text_kind, error)
                              : error_out_of_memory(error);
     if (done) {
-        const struct scene scene = scene_of_text(command, &text, name);
-        done = draw_scene(command, &scene, error);
+        const struct scene scene = scene_of_text(run, &text, name);
+        done = draw_scene(run, &scene, error);
     }
     text_scene_free(&text);
     free(name);
@@ -490,20 +449,18 @@ static bool draw_text(struct command *command, struct error *error) {
 }
 
 /* Say which scenes are not drawn of the command line's model. */
-static void warn_of_details(const struct command *command) {
-    const struct program *program = command->run.program;
+static void warn_of_details(const struct run *run) {
+    const struct program *program = run->options.program;
     char names[256] = "";
-    size_t length = 0;
-    bool chosen = command->options.input != NULL && command->options.only == NULL &&
-                  !command->options.details;
-    for (size_t i = 0; chosen && i < program->scene_count && length < sizeof names; i++) {
+    const struct options *options = &run->options;
+    bool chosen = options->input_count > 0 && options->only == NULL && !options->details;
+    for (size_t i = 0; chosen && i < program->scene_count; i++) {
         const struct scene *scene = &program->scenes[i];
         if (scene->detail && !scene->extra) {
-            length += (size_t)snprintf(names + length, sizeof names - length, "%s %s",
-                                       length == 0 ? ":" : ",", scene->name);
+            string_append(names, sizeof names, "%s %s", names[0] == '\0' ? ":" : ",", scene->name);
         }
     }
-    if (length > 0) {
+    if (names[0] != '\0') {
         fprintf(stderr, "%s: left out, as details of the course's own model (--details)%s\n",
                 program->name, names);
     }
@@ -511,33 +468,34 @@ static void warn_of_details(const struct command *command) {
 
 /* A scene that cannot be drawn does not keep the next from being drawn, but a model of the command
  * line that cannot be read does. Each message is said once, the last one by main(). */
-static bool draw_scenes(struct command *command, struct error *error) {
-    const struct program *program = command->run.program;
+static bool draw_scenes(struct run *run, struct error *error) {
+    const struct options *options = &run->options;
+    const struct program *program = options->program;
     bool done = true;
     for (size_t i = 0; i < program->scene_count; i++) {
         const struct scene *scene = &program->scenes[i];
-        command->run.needs |= is_chosen(command, scene) ? scene->needs : 0;
+        run->needs |= is_chosen(options, scene) ? scene->needs : 0;
     }
     bool readable = true;
     for (size_t i = 0; i < program->scene_count && readable; i++) {
         const struct scene *scene = &program->scenes[i];
         struct error fault;
-        if (!is_chosen(command, scene) || draw_scene(command, scene, &fault)) {
+        if (!is_chosen(options, scene) || draw_scene(run, scene, &fault)) {
             continue;
         }
         if (!done && strcmp(error->message, fault.message) != 0) {
-            say(command, error);
+            say(run, error);
         }
         *error = fault;
         done = false;
-        readable = command->run.input == NULL || command->run.model_file != NULL ||
-                   !scene_needs_model(scene);
+        readable =
+            options->input_count == 0 || run->model_file != NULL || !scene_needs_model(scene);
     }
-    if (command->run.model_file != NULL) {
-        warn_of_details(command);
+    if (run->model_file != NULL) {
+        warn_of_details(run);
     }
-    if (command->options.stats && command->run.model_file != NULL) {
-        print_loaded(&command->run);
+    if (run->options.stats && run->model_file != NULL) {
+        print_loaded(run);
     }
     return done;
 }
@@ -545,14 +503,14 @@ static bool draw_scenes(struct command *command, struct error *error) {
 /* ---- --live ---- */
 
 /* Draw one frame of the scene and write it. */
-static bool answer_scene(struct command *command, const struct scene *given, FILE *out,
+static bool answer_scene(struct run *run, const struct scene *given, FILE *out,
                          struct error *error) {
-    const struct scene scene = chosen_scene(command, given);
+    const struct scene scene = scene_complete(&run->request, given);
     struct image image = {.pixels = NULL};
     struct stage stage = {0};
-    size_t frame = command->request.frame > 0 ? command->request.frame - 1 : 0;
+    size_t frame = run->request.frame > 0 ? run->request.frame - 1 : 0;
     bool done = image_create(&image, scene.width, scene.height, scene.format, error) &&
-                stage_begin(&stage, &command->run, &scene, scene.width, scene.height, error);
+                stage_begin(&stage, run, &scene, scene.width, scene.height, error);
     double begin = now_ms();
     done = done && stage_draw(&stage, &image, frame % scene.frames, error);
     if (done) {
@@ -563,41 +521,40 @@ static bool answer_scene(struct command *command, const struct scene *given, FIL
     return done;
 }
 
-static bool answer_text(struct command *command, const struct live_request *request, FILE *out,
+static bool answer_text(struct run *run, const struct bytes *lines, FILE *out,
                         struct error *error) {
-    const struct program *program = command->run.program;
+    const struct program *program = run->options.program;
     struct text_scene text;
     if (program->draw_text == NULL) {
         return error_set(error, "takes no text scene");
     }
-    if (!text_scene_decode(&text, request->text, request->text_size, program->text_kind, error)) {
+    if (!text_scene_decode(&text, lines->data, lines->size, program->text_kind, error)) {
         return false;
     }
-    const struct scene scene = scene_of_text(command, &text, "text");
-    bool done = answer_scene(command, &scene, out, error);
-    command->run.text = NULL;
+    const struct scene scene = scene_of_text(run, &text, "text");
+    bool done = answer_scene(run, &scene, out, error);
+    run->text = NULL;
     text_scene_free(&text);
     return done;
 }
 
 /* Options of the request; the model, turned and fitted or not, is that of the command line. */
-static bool answer(void *context, const struct live_request *request, FILE *out,
-                   struct error *error) {
-    struct command *command = context;
-    const struct program *program = command->run.program;
-    command->run.asked = &command->request;
-    if (!options_parse(&command->request, program, request->argc, request->argv, error) ||
-        !check_options(command, error)) {
+static bool answer(void *context, struct live_request *request, FILE *out, struct error *error) {
+    struct run *run = context;
+    const struct program *program = run->options.program;
+    run->asked = &run->request;
+    if (!options_parse(&run->request, program, request->argc, request->argv, error) ||
+        !check_options(&run->request, error)) {
         return false;
     }
-    if (command->request.input != NULL || command->request.live) {
+    if (run->request.input_count > 0 || run->request.live) {
         return error_set(error, "the model and --live belong on the command line");
     }
-    if (request->text != NULL) {
-        return answer_text(command, request, out, error);
+    if (request->has_text) {
+        return answer_text(run, &request->text, out, error);
     }
-    const struct scene *scene = command->request.only;
-    return answer_scene(command, scene != NULL ? scene : &program->scenes[0], out, error);
+    const struct scene *scene = run->request.only;
+    return answer_scene(run, scene != NULL ? scene : &program->scenes[0], out, error);
 }
 
 /* What a student's program prints must not come between the frames: it goes to standard error. */
@@ -611,13 +568,11 @@ static FILE *live_output(void) {
 }
 
 /* All that any scene needs of the model is read at once. */
-static bool answer_all(struct command *command, struct error *error) {
-    const struct program *program = command->run.program;
-    for (size_t i = 0; i < program->scene_count; i++) {
-        command->run.needs |= program->scenes[i].needs;
-    }
+static bool answer_all(struct run *run, struct error *error) {
+    const struct program *program = run->options.program;
+    run->needs = program_needs(program);
     FILE *out = live_output();
-    bool done = out != NULL ? live_loop(program, stdin, out, answer, command, error)
+    bool done = out != NULL ? live_loop(program, stdin, out, answer, run, error)
                             : error_set(error, "cannot write to standard output");
     if (out != NULL && out != stdout) {
         fclose(out);
@@ -627,16 +582,16 @@ static bool answer_all(struct command *command, struct error *error) {
 
 /* ---- The program ---- */
 
-static bool run_command(struct command *command, struct error *error) {
-    const struct program *program = command->run.program;
-    bool text = command->options.input != NULL && program->draw_text != NULL;
+static bool run_command(struct run *run, struct error *error) {
+    const struct program *program = run->options.program;
+    bool text = run->options.input_count > 0 && program->draw_text != NULL;
     bool done = true;
-    if (command->options.help) {
-        options_print_help(program, OUTPUT_DIRECTORY, default_model_path);
-    } else if (command->options.live) {
-        done = answer_all(command, error);
+    if (run->options.help) {
+        options_print_help(program);
+    } else if (run->options.live) {
+        done = answer_all(run, error);
     } else {
-        done = text ? draw_text(command, error) : draw_scenes(command, error);
+        done = text ? draw_text(run, error) : draw_scenes(run, error);
     }
     if (done && (fflush(stdout) != 0 || ferror(stdout))) {
         done = error_set(error, "cannot write to standard output: %s", strerror(errno));
@@ -645,22 +600,21 @@ static bool run_command(struct command *command, struct error *error) {
 }
 
 int program_main(const struct program *program, int argc, char **argv) {
-    struct command command = {.run = {.program = program}};
-    struct options *options = &command.options;
+    struct run run = {.text = NULL};
     struct error error = {0};
     int status = STATUS_USAGE;
 #ifdef _WIN32
     windows_begin(&argc, &argv);
 #endif
     keep_freed_memory();
-    command.run.options = command.run.asked = options;
-    if (options_parse(options, program, argc, argv, &error) && check_options(&command, &error)) {
-        command.run.input = program->draw_text == NULL ? options->input : NULL;
-        status = run_command(&command, &error) ? STATUS_DONE : STATUS_FAILED;
+    run.asked = &run.options;
+    if (options_parse(&run.options, program, argc, argv, &error) &&
+        check_options(&run.options, &error)) {
+        status = run_command(&run, &error) ? STATUS_DONE : STATUS_FAILED;
     }
     if (status != STATUS_DONE) {
         fprintf(stderr, "%s: %s\n", program->name, error.message);
     }
-    run_free(&command.run);
+    run_free(&run);
     return status;
 }

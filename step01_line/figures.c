@@ -6,7 +6,6 @@
 
 #include "attempts.h"
 
-static const struct color background = {0, 0, 0, 255};
 static const struct color white = {255, 255, 255, 255};
 static const struct color red = {0, 0, 255, 255};
 static const struct color orange = {0, 150, 255, 255};
@@ -25,12 +24,11 @@ static void draw_three_lines(struct image *image, line_function *draw) {
 /* The scenes line, octants and gradient, side by side. */
 static void draw_made(void) {
     struct sheet sheet = {.width = 300, .height = 300, .columns = 3, .rows = 1, .gap = 6};
-    struct image image = figure_image(100, 100);
     bool (*const draw[])(struct drawing *, struct image *,
                          struct error *) = {draw_line, draw_octants, draw_gradient};
     sheet_create(&sheet);
     for (int i = 0; i < 3; i++) {
-        image_clear(&image, background);
+        struct image image = figure_image(100, 100);
         figure_need(draw[i](NULL, &image, &figure_error));
         sheet_add_detail(&sheet, &image, detail_of_whole(&image, 3, 0));
     }

@@ -73,15 +73,22 @@ static bool draw_octants(struct drawing *drawing, struct image *image, struct er
 
 /* ---- Lines that come half-way between two pixels ---- */
 
-/* Eight directions of eight lines, row by row from the bottom; all of them have ties. Then two
- * with slopes, 7 / 12 and 9 / 14, of which a double does not hit the multiples at a tie. */
+/* Two with slopes, 7 / 12 and 9 / 14, of which a double does not hit the multiples at a tie; then,
+ * for scene `list` alone, a short diagonal in each direction, a long line with three ties, lines
+ * downwards and to the left, and a point. */
+static const struct pixel more_lines[][2] = {
+    {{3, 104}, {15, 111}},  {{25, 104}, {53, 122}}, {{7, 65}, {11, 69}}, {{23, 65}, {19, 69}},
+    {{31, 69}, {35, 65}},   {{47, 69}, {43, 65}},   {{3, 96}, {93, 99}}, {{64, 122}, {64, 104}},
+    {{96, 110}, {74, 110}}, {{85, 118}, {85, 118}},
+};
 enum { SHORT_LINES = 64, TIE_LINES = SHORT_LINES + 2, TIES_WIDTH = 100, TIES_HEIGHT = 125 };
+enum { LISTED_LINES = SHORT_LINES + sizeof more_lines / sizeof more_lines[0] };
 
+/* Eight directions of eight lines, row by row from the bottom, all with ties; then the others. */
 static void tie_line(int index, struct pixel *a, struct pixel *b) {
-    static const struct pixel longer[][2] = {{{3, 104}, {15, 111}}, {{25, 104}, {53, 122}}};
     if (index >= SHORT_LINES) {
-        *a = longer[index - SHORT_LINES][0];
-        *b = longer[index - SHORT_LINES][1];
+        *a = more_lines[index - SHORT_LINES][0];
+        *b = more_lines[index - SHORT_LINES][1];
         return;
     }
     static const int run[] = {10, 10, 10, 10, 10, 2, 4, 8}, rise[] = {1, 3, 5, 7, 9, 1, 3, 1};
@@ -106,34 +113,12 @@ static bool draw_ties(struct drawing *drawing, struct image *image, struct error
     return true;
 }
 
-/* Short diagonals, one a direction, in the room that the row of the shortest lines leaves. */
-enum { DIAGONALS = 4 };
-
-static void diagonal_line(int direction, struct pixel *a, struct pixel *b) {
-    int x = 7 + 12 * direction, y = 65, size = 4;
-    bool left = direction & 1, down = direction & 2;
-    *a = (struct pixel){left ? x + size : x, down ? y + size : y};
-    *b = (struct pixel){left ? x : x + size, down ? y : y + size};
-}
-
-/* Above them a long line with three ties; lines downwards and to the left; a point. */
-static const struct pixel more_lists[][2] = {
-    {{3, 96}, {93, 99}}, {{64, 122}, {64, 104}}, {{96, 110}, {74, 110}}, {{85, 118}, {85, 118}}};
-enum { MORE_LISTS = sizeof more_lists / sizeof more_lists[0] };
-
-/* The same lines, the diagonals and these as lists: in green, the first pixel of each in white. */
+/* The same lines and more as lists: in green, the first pixel of each in white. */
 static bool draw_list(struct drawing *drawing, struct image *image, struct error *error) {
     (void)drawing;
-    for (int i = 0; i < TIE_LINES + DIAGONALS + MORE_LISTS; i++) {
+    for (int i = 0; i < LISTED_LINES; i++) {
         struct pixel a, b;
-        if (i < TIE_LINES) {
-            tie_line(i, &a, &b);
-        } else if (i < TIE_LINES + DIAGONALS) {
-            diagonal_line(i - TIE_LINES, &a, &b);
-        } else {
-            a = more_lists[i - TIE_LINES - DIAGONALS][0];
-            b = more_lists[i - TIE_LINES - DIAGONALS][1];
-        }
+        tie_line(i, &a, &b);
         size_t length = line_length(a, b);
         struct pixel *list = make_list(a, b, length, error);
         if (list == NULL) {
@@ -275,38 +260,10 @@ static void note_line(struct drawing *drawing, const struct text_scene_shape *sh
     }
 }
 
-/* Is the pixel one of an exact line? */
-static void mark_wrong(struct drawing *drawing, struct image *image, const struct image *exact) {
-    uint64_t wrong = 0, missing = 0;
-    for (int i = 0; i < (int)(image->width * image->height); i++) {
-        int x = i % (int)image->width, y = i / (int)image->width;
-        struct color now = image_get(image, x, y), right = image_get(exact, x, y);
-        bool drawn = now.r + now.g + now.b > 0, wanted = right.r > 0;
-        wrong += drawn && !wanted;
-        missing += !drawn && wanted;
-        image_set(image, x, y,
-                  drawn == wanted ? color_grey(drawn ? 160 : 0)
-                                  : color_rgb(drawn ? 255 : 0, drawn ? 0 : 90, drawn ? 0 : 255));
-    }
-    drawing_count(drawing, "pixels_wrong", wrong);
-    drawing_count(drawing, "pixels_missing", missing);
-}
-
-/* Copy the pixels of `from` that are drawn, up to those steps. */
-static void copy_reached(struct image *image, const struct image *from,
-                         const struct text_scene_shape *shape, double steps) {
-    for (int i = 0; i < (int)(image->width * image->height); i++) {
-        int x = i % (int)image->width, y = i / (int)image->width;
-        struct color color = image_get(from, x, y);
-        if (color.r + color.g + color.b > 0 && is_reached(shape, steps, x, y)) {
-            image_set(image, x, y, color);
-        }
-    }
-}
-
 /* Is the pixel the line's nearest one in its column, or in its row where the line is steep? Of two
  * as near, the one towards the end at which a walk starts. */
-static bool is_on_line(const struct pixel ends[2], int x, int y) {
+static bool is_on_line(const struct text_scene_shape *shape, int x, int y) {
+    const struct pixel ends[] = {shape_end(shape, 0), shape_end(shape, 1)};
     const int64_t dx = (int64_t)ends[1].x - ends[0].x, dy = (int64_t)ends[1].y - ends[0].y;
     const bool steep = llabs(dy) > llabs(dx);
     const int64_t run = llabs(steep ? dy : dx), rise = llabs(steep ? dx : dy);
@@ -317,45 +274,67 @@ static bool is_on_line(const struct pixel ends[2], int x, int y) {
     return along >= 0 && along <= run && (run == 0 ? aside == 0 : off >= -run && off < run);
 }
 
-static bool draw_steps(struct drawing *drawing, struct image *image, struct image *one,
-                       struct image *exact, struct error *error) {
+/* Draw the first steps of a line. */
+static bool draw_steps(struct drawing *drawing, struct image *image,
+                       const struct text_scene_shape *shape, struct error *error) {
     const double steps = drawing_value(drawing, "steps");
-    for (size_t i = 0; i < drawing->text->shape_count; i++) {
+    struct image whole;
+    if (!image_create(&whole, image->width, image->height, IMAGE_BGR, error)) {
+        return false;
+    }
+    bool done = draw_shape(drawing, &whole, shape, error);
+    for (int i = 0; i < (int)(image->width * image->height); i++) {
+        int x = i % (int)image->width, y = i / (int)image->width;
+        struct color color = image_get(&whole, x, y);
+        if (color.r + color.g + color.b > 0 && is_reached(shape, steps, x, y)) {
+            image_set(image, x, y, color);
+        }
+    }
+    image_free(&whole);
+    return done;
+}
+
+/* Is the pixel among those steps of one of the lines? */
+static bool is_wanted(const struct drawing *drawing, double steps, int x, int y) {
+    bool wanted = false;
+    for (size_t i = 0; i < drawing->text->shape_count && !wanted; i++) {
         const struct text_scene_shape *shape = &drawing->text->shapes[i];
-        image_clear(one, color_grey(0));
-        if (!draw_shape(drawing, one, shape, error)) {
-            return false;
-        }
-        copy_reached(image, one, shape, steps);
-        const struct pixel ends[] = {shape_end(shape, 0), shape_end(shape, 1)};
-        for (int k = 0; k < (int)(image->width * image->height); k++) {
-            int x = k % (int)image->width, y = k / (int)image->width;
-            if (is_on_line(ends, x, y) && is_reached(shape, steps, x, y)) {
-                image_set(exact, x, y, color_grey(255));
-            }
-        }
+        wanted = is_on_line(shape, x, y) && is_reached(shape, steps, x, y);
     }
-    if (drawing_value(drawing, "wrong") != 0) {
-        mark_wrong(drawing, image, exact);
+    return wanted;
+}
+
+/* Red: drawn, but on no line. Blue: missing. */
+static void mark_wrong(struct drawing *drawing, struct image *image) {
+    const double steps = drawing_value(drawing, "steps");
+    uint64_t wrong = 0, missing = 0;
+    for (int i = 0; i < (int)(image->width * image->height); i++) {
+        int x = i % (int)image->width, y = i / (int)image->width;
+        struct color now = image_get(image, x, y);
+        bool drawn = now.r + now.g + now.b > 0, wanted = is_wanted(drawing, steps, x, y);
+        wrong += drawn && !wanted;
+        missing += !drawn && wanted;
+        image_set(image, x, y,
+                  drawn == wanted ? color_grey(drawn ? 160 : 0)
+                                  : color_rgb(drawn ? 255 : 0, drawn ? 0 : 90, drawn ? 0 : 255));
     }
-    return true;
+    drawing_count(drawing, "pixels_wrong", wrong);
+    drawing_count(drawing, "pixels_missing", missing);
 }
 
 static bool draw_text(struct drawing *drawing, struct image *image, struct error *error) {
-    const bool all = drawing_value(drawing, "wrong") == 0 && drawing_value(drawing, "steps") == 1;
-    struct image one = {.pixels = NULL}, exact = {.pixels = NULL};
-    bool done = all || (image_create(&one, image->width, image->height, IMAGE_BGR, error) &&
-                        image_create(&exact, image->width, image->height, IMAGE_BGR, error));
+    bool done = true;
     for (size_t i = 0; done && i < drawing->text->shape_count; i++) {
         const struct text_scene_shape *shape = &drawing->text->shapes[i];
-        done = !all || draw_shape(drawing, image, shape, error);
+        done = drawing_value(drawing, "steps") == 1 ? draw_shape(drawing, image, shape, error)
+                                                    : draw_steps(drawing, image, shape, error);
         if (drawing->probed) {
             note_line(drawing, shape);
         }
     }
-    done = done && (all || draw_steps(drawing, image, &one, &exact, error));
-    image_free(&one);
-    image_free(&exact);
+    if (drawing_value(drawing, "wrong") != 0) {
+        mark_wrong(drawing, image);
+    }
     return done;
 }
 

@@ -2,7 +2,7 @@
  * Lesson 2's earlier versions: a list that lacks sides, a line that does too much, and a cut that
  * moves pixels.
  *
- * To be included after main.c, whose struct side, to_pixel() and line() they use.
+ * To be included after main.c, whose struct side and line() they use.
  */
 #ifndef STEP02_ATTEMPTS_H
 #define STEP02_ATTEMPTS_H
@@ -96,20 +96,6 @@ static inline uint64_t attempt_line_ends_rounded(struct image *image, struct pix
     struct pixel new_a = {(int)floor(ax + 0.5), (int)floor(ay + 0.5)};
     struct pixel new_b = {(int)floor(bx + 0.5), (int)floor(by + 0.5)};
     return line(image, new_a, new_b, color);
-}
-
-/* ---- Wireframes ---- */
-
-/* All sides of a list, white. */
-static inline void attempt_draw(struct image *image, const struct model *model,
-                                const struct side *sides, size_t side_count, attempt_line *draw) {
-    for (size_t i = 0; i < side_count; i++) {
-        struct pixel a, b;
-        if (to_pixel(model->positions[sides[i].low], image->width, image->height, &a) &&
-            to_pixel(model->positions[sides[i].high], image->width, image->height, &b)) {
-            draw(image, a, b, color_rgb(255, 255, 255));
-        }
-    }
 }
 
 #endif

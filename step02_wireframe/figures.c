@@ -24,14 +24,6 @@ static void draw_rounded_line(void) {
     figure_save_detail(&compared.shown, detail_of_whole(&compared.shown, 12, 56), "rounded_line");
 }
 
-/* Move and scale all positions; z is not used here. */
-static void change_positions(struct model *model, double scale, double x, double y) {
-    for (size_t i = 0; i < model->position_count; i++) {
-        struct vec3 *p = &model->positions[i];
-        *p = (struct vec3){(p->x - x) * scale, (p->y - y) * scale, p->z};
-    }
-}
-
 /* A scene without a model, enlarged. */
 static void draw_small_scene(const char *name,
                              bool (*draw)(struct drawing *, struct image *, struct error *),
@@ -45,18 +37,13 @@ static void draw_small_scene(const char *name,
 /* ---- A mesh with a border ---- */
 
 /* The scene `border`: what is missing when a side is drawn in one direction only. */
-static void draw_one_direction(struct model *model) {
+static void draw_one_direction(const struct model *bust) {
+    struct drawing drawing = {.model = bust, .skip = true, .values = border_values};
     struct comparison compared;
-    model->faces += model->face_count / 8;
-    model->face_count = (model->face_count + 3) / 4;
-    change_positions(model, 2.4, 0.26, 0.1);
     comparison_create(&compared, 480, 360);
-    struct side *sides = figure_memory(3 * model->face_count, sizeof *sides);
-    size_t count = attempt_one_direction(model, sides);
-    attempt_draw(&compared.first, model, sides, count, line);
-    list_sides(model, sides);
-    attempt_draw(&compared.second, model, sides, 3 * model->face_count, line);
-    free(sides);
+    figure_need(draw_border(&drawing, &compared.second, &figure_error));
+    drawing.value[0] = SIDES_ONE_WAY;
+    figure_need(draw_border(&drawing, &compared.first, &figure_error));
     comparison_show(&compared, grey);
     figure_save_detail(&compared.shown, (struct detail){86, 30, 170, 100, .zoom = 4},
                        "one_direction");

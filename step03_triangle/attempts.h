@@ -13,6 +13,8 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+typedef void fill_function(struct image *image, const struct vec2 corner[3], struct color color);
+
 /* For attempts that test pixel after pixel of a row: this writes neighbouring pixels at once.
  * `begin` is where they began, -1 while there are none; after the last pixel comes one more call
  * that is not `inside`. */
@@ -231,6 +233,16 @@ static inline void attempt_7_edges_float(struct image *image, const struct vec2 
             row[i] += up[i];
         }
     }
+}
+
+/* ---- The table ---- */
+
+static inline fill_function *fill_attempt(int number) {
+    static fill_function *const attempts[] = {
+        attempt_1_sweep_whole, attempt_2_sweep_float, attempt_3_box_float,   attempt_4_box_double,
+        attempt_5_box_open,    attempt_6_box_epsilon, attempt_7_edges_float,
+    };
+    return attempts[number - 1];
 }
 
 #endif

@@ -8,8 +8,6 @@
 
 enum { GRID = 60 }; /* grey level of the lines between enlarged pixels */
 
-typedef void attempt_function(struct image *image, const struct vec2 corner[3], struct color color);
-
 /* The good version: spans. */
 static void draw_spans(struct image *image, const struct vec2 corner[3], struct color color) {
     struct fixed2 snapped[3];
@@ -20,7 +18,7 @@ static void draw_spans(struct image *image, const struct vec2 corner[3], struct 
 
 /* The faces of the bust that show their outside, their corners already snapped to 1/256, so that
  * all attempts get the same. */
-static void draw_bust_by(attempt_function *draw, const struct model *model, struct image *image) {
+static void draw_bust_by(fill_function *draw, const struct model *model, struct image *image) {
     image_clear(image, color_grey(0));
     for (size_t face = 0, drawn = 0; face < model->face_count; face++) {
         struct fixed2 corner[3];

@@ -66,20 +66,6 @@ static void place_shape(const struct text_scene_shape *shape, struct vec2 screen
     }
 }
 
-static void draw_shapes(struct drawing *drawing, struct image *image,
-                        const struct text_scene_shape *shapes, size_t shape_count) {
-    uint64_t written = 0;
-    for (size_t i = 0; i < shape_count; i++) {
-        struct vec2 screen[3];
-        struct fixed2 corner[3];
-        place_shape(&shapes[i], screen);
-        if (snap_corners(screen, corner)) {
-            written += fill_triangle(drawing, image, corner, shapes[i].color);
-        }
-    }
-    drawing_count(drawing, "pixels_written", written);
-}
-
 /* Blue, green, red, alpha, as struct color stores them. */
 #define RED     0, 0, 255, 255
 #define GREEN   0, 255, 0, 255
@@ -125,15 +111,12 @@ static const struct text_scene_shape leaving_triangles[] = {
 };
 
 /* Triangles that leave the image: at the left and at the top, at the right, at the bottom. Their
- * edges are far from all pixel centres where they meet the border. */
-static const struct text_scene_shape cut_triangles[] = {
+ * edges are far from all pixel centres where they meet the border. Then two with an area of 0, a
+ * line and a point, through pixel centres: they draw nothing. */
+static const struct text_scene_shape special_triangles[] = {
     {{-30.4, 20.3, 40.2}, {165.3, 250.4, 185.1}, {{CYAN}, {CYAN}, {CYAN}}},
     {{172.3, 240.4, 230.2}, {90.4, 130.3, 20.6}, {{YELLOW}, {YELLOW}, {YELLOW}}},
     {{88.3, 141.6, 110.4}, {7.4, 5.2, -30.7}, {{MAGENTA}, {MAGENTA}, {MAGENTA}}},
-};
-
-/* Two with an area of 0, a line and a point, through pixel centres: they draw nothing. */
-static const struct text_scene_shape flat_triangles[] = {
     {{10, 70, 130}, {30, 30, 30}, {{YELLOW}, {YELLOW}, {YELLOW}}},
     {{60, 60, 60}, {20, 20, 20}, {{YELLOW}, {YELLOW}, {YELLOW}}},
 };
@@ -154,7 +137,7 @@ static const struct text_scene_shape colored_triangles[] = {
 };
 
 /* What the scenes draw: the lists and how long they are, by the number of the scene. */
-enum { THREE, FAR, LEAVING, CUT, FLAT, COLORED };
+enum { THREE, FAR, LEAVING, SPECIAL, COLORED };
 
 #define LIST(triangles)                                                                            \
     { triangles, sizeof(triangles) / sizeof(triangles)[0] }
@@ -163,8 +146,8 @@ static const struct {
     size_t count;
 } lists[] = {
     [THREE] = LIST(three_triangles),     [FAR] = LIST(far_triangles),
-    [LEAVING] = LIST(leaving_triangles), [CUT] = LIST(cut_triangles),
-    [FLAT] = LIST(flat_triangles),       [COLORED] = LIST(colored_triangles),
+    [LEAVING] = LIST(leaving_triangles), [SPECIAL] = LIST(special_triangles),
+    [COLORED] = LIST(colored_triangles),
 };
 
 static bool draw_outlines(struct drawing *drawing, struct image *image, struct error *error) {
@@ -192,11 +175,11 @@ static void draw_by_signs(struct drawing *drawing, struct image *image,
 static bool draw_signs(struct drawing *drawing, struct image *image, struct error *error) {
     enum { DOTS = 20 };
     (void)error;
-    static const int filled[] = {THREE, CUT, FLAT};
-    for (size_t k = 0; k < sizeof filled / sizeof filled[0]; k++) {
-        for (size_t i = 0; i < lists[filled[k]].count; i++) {
-            draw_by_signs(drawing, image, &lists[filled[k]].shapes[i]);
-        }
+    for (size_t i = 0; i < lists[THREE].count; i++) {
+        draw_by_signs(drawing, image, &three_triangles[i]);
+    }
+    for (size_t i = 0; i < lists[SPECIAL].count; i++) {
+        draw_by_signs(drawing, image, &special_triangles[i]);
     }
     for (int i = 0; i < DOTS; i++) {
         double x = 6 + 4 * i;
@@ -207,22 +190,32 @@ static bool draw_signs(struct drawing *drawing, struct image *image, struct erro
 }
 
 static bool draw_list(struct drawing *drawing, struct image *image, struct error *error) {
+    uint64_t written = 0;
     (void)error;
-    draw_shapes(drawing, image, lists[drawing->number].shapes, lists[drawing->number].count);
+    for (size_t i = 0; i < lists[drawing->number].count; i++) {
+        const struct text_scene_shape *shape = &lists[drawing->number].shapes[i];
+        struct vec2 screen[3];
+        struct fixed2 corner[3];
+        place_shape(shape, screen);
+        if (snap_corners(screen, corner)) {
+            written += fill_triangle(drawing, image, corner, shape->color);
+        }
+    }
+    drawing_count(drawing, "pixels_written", written);
     return true;
 }
 
 /* ---- Scenes: sheet, fan ---- */
 
-/* Which triangle `i` of a mesh is, on an image of that size. */
-typedef void mesh_function(int i, const struct image *image, struct fixed2 corner[3]);
+/* Place triangle `i` of a mesh on an image of that size. Returns its grey: one of four, and lighter
+ * where it is given clockwise. */
+typedef uint8_t mesh_function(int i, const struct image *image, struct fixed2 corner[3]);
 
 /* Triangles that cover a square part of the image without gap or overlap. */
 struct covering {
     mesh_function *place;
     int triangle_count;
     size_t begin, end; /* the columns, and the rows, that it covers; end exclusive */
-    bool every_other_clockwise;
 };
 
 enum {
@@ -230,6 +223,7 @@ enum {
     SHEET_CELLS = 14,
     SHEET_CELL = 12,   /* pixels */
     SHEET_MARGIN = 16, /* pixels */
+    SHEET_END = SHEET_MARGIN + SHEET_CELLS * SHEET_CELL,
     SHEET_TRIANGLES = 2 * SHEET_CELLS * SHEET_CELLS,
     FAN_BLADES = 24,
     FAN_REACH = 668 * SUBPIXELS + 91 /* the rim is 6 times as far from the middle */
@@ -252,36 +246,49 @@ static struct fixed2 sheet_corner(int column, int row) {
 }
 
 /* Every cell is cut into two triangles. Half of them are given clockwise. */
-static void place_in_sheet(int i, const struct image *image, struct fixed2 corner[3]) {
+static uint8_t place_in_sheet(int i, const struct image *image, struct fixed2 corner[3]) {
     int column = i / 2 % SHEET_CELLS, row = i / 2 / SHEET_CELLS;
     bool upper = i % 2 != 0;
     (void)image;
     corner[0] = sheet_corner(column, row);
     corner[1] = sheet_corner(column + !upper, row + upper);
     corner[2] = sheet_corner(column + 1, row + 1);
+    return (uint8_t)(90 + 17 * (i % 4) + 80 * upper);
 }
 
-/* A corner on the rim of the fan, a square around its middle. Every other one lies so
- * that the edge from the middle to it passes through many pixel centres. */
-static struct fixed2 fan_corner(int i, struct fixed2 middle) {
+/* A corner on the rim of the fan, a square around its middle: -6..6 in x and y. */
+static struct pixel fan_rim(int i) {
     const int side = FAN_BLADES / 4;
-    int x = side, y = i % side * 2 - side;
+    struct pixel rim = {side, i % side * 2 - side};
     for (int turns = i / side % 4; turns > 0; turns--) {
-        int kept = x;
-        x = -y;
-        y = kept;
+        rim = (struct pixel){-rim.y, rim.x};
     }
+    return rim;
+}
+
+/* Every other one lies so that the edge from the middle to it passes through many pixel centres. */
+static struct fixed2 fan_corner(int i, struct fixed2 middle) {
+    struct pixel rim = fan_rim(i);
     int stray = i % 2 == 0 ? 0 : 1009 * i;
-    return (struct fixed2){middle.x + x * FAN_REACH + stray, middle.y + y * FAN_REACH - stray};
+    return (struct fixed2){middle.x + rim.x * FAN_REACH + stray,
+                           middle.y + rim.y * FAN_REACH - stray};
 }
 
 /* The blades of the fan meet in a pixel centre; together they cover the image. */
-static void place_in_fan(int i, const struct image *image, struct fixed2 corner[3]) {
+static uint8_t place_in_fan(int i, const struct image *image, struct fixed2 corner[3]) {
     corner[0] = (struct fixed2){(int)image->width / 2 * SUBPIXELS + SUBPIXELS / 2,
                                 (int)image->height / 2 * SUBPIXELS + SUBPIXELS / 2};
     corner[1] = fan_corner(i, corner[0]);
     corner[2] = fan_corner(i + 1, corner[0]);
+    return (uint8_t)(90 + 17 * (i % 4));
 }
+
+/* The meshes, by the number of the scene. */
+enum { SHEET, FAN };
+static const struct covering meshes[] = {
+    [SHEET] = {place_in_sheet, SHEET_TRIANGLES, SHEET_MARGIN, SHEET_END},
+    [FAN] = {place_in_fan, FAN_BLADES, 0, SIZE_MAX},
+};
 
 /* What is known of a pixel of a mesh. */
 struct counted {
@@ -326,21 +333,15 @@ static void show_counted(struct drawing *drawing, struct image *image, size_t wi
     drawing_count(drawing, "pixels_missing", missing);
 }
 
-/* The grey of a triangle of a mesh: one of four, lighter where it is given clockwise. */
-static uint8_t mesh_shade(const struct covering *mesh, int i) {
-    bool clockwise = mesh->every_other_clockwise && i % 2 != 0;
-    return (uint8_t)(90 + 17 * (i % 4) + (clockwise ? 80 : 0));
-}
-
 /* How often each pixel of a mesh is drawn. Its triangles are drawn one by one in a small image. */
 static void count_mesh(struct drawing *drawing, struct image *small, const struct covering *mesh,
                        struct counted *counted) {
     const struct color white[3] = {{WHITE}, {WHITE}, {WHITE}};
     for (int i = 0; i < mesh->triangle_count; i++) {
         struct fixed2 corner[3];
-        mesh->place(i, small, corner);
+        uint8_t shade = mesh->place(i, small, corner);
         fill_triangle(drawing, small, corner, white);
-        count_draws(small, mesh_shade(mesh, i), counted);
+        count_draws(small, shade, counted);
     }
     for (size_t i = 0; i < small->width * small->height; i++) {
         size_t x = i % small->width, y = i / small->width;
@@ -348,8 +349,7 @@ static void count_mesh(struct drawing *drawing, struct image *small, const struc
     }
 }
 
-static bool draw_counted(struct drawing *drawing, struct image *image, const struct covering *mesh,
-                         struct error *error) {
+static bool draw_mesh(struct drawing *drawing, struct image *image, struct error *error) {
     size_t width = (image->width + COUNT_ZOOM - 1) / COUNT_ZOOM;
     size_t height = (image->height + COUNT_ZOOM - 1) / COUNT_ZOOM;
     struct image small;
@@ -358,24 +358,13 @@ static bool draw_counted(struct drawing *drawing, struct image *image, const str
     }
     struct counted *counted = calloc(width * height, sizeof *counted);
     if (counted != NULL) {
-        count_mesh(drawing, &small, mesh, counted);
+        count_mesh(drawing, &small, &meshes[drawing->number], counted);
         show_counted(drawing, image, width, height, counted, COUNT_ZOOM);
     }
     bool done = counted != NULL || error_out_of_memory(error);
     free(counted);
     image_free(&small);
     return done;
-}
-
-static bool draw_sheet(struct drawing *drawing, struct image *image, struct error *error) {
-    const struct covering sheet = {place_in_sheet, SHEET_TRIANGLES, SHEET_MARGIN,
-                                   SHEET_MARGIN + SHEET_CELLS * SHEET_CELL, true};
-    return draw_counted(drawing, image, &sheet, error);
-}
-
-static bool draw_fan(struct drawing *drawing, struct image *image, struct error *error) {
-    const struct covering fan = {place_in_fan, FAN_BLADES, 0, SIZE_MAX, false};
-    return draw_counted(drawing, image, &fan, error);
 }
 
 /* ---- Text scenes ---- */
@@ -408,15 +397,11 @@ static bool place_snapped(const struct drawing *drawing, const struct text_scene
 static uint64_t fill_shape(const struct drawing *drawing, struct image *image,
                            const struct vec2 screen[3], const struct fixed2 corner[3],
                            const struct color color[3]) {
-    static void (*const attempts[])(struct image *, const struct vec2[3], struct color) = {
-        attempt_1_sweep_whole, attempt_2_sweep_float, attempt_3_box_float,   attempt_4_box_double,
-        attempt_5_box_open,    attempt_6_box_epsilon, attempt_7_edges_float,
-    };
     const int attempt = (int)drawing_value(drawing, "attempt");
     if (attempt == 0) {
         return fill_triangle(drawing, image, corner, color);
     }
-    attempts[attempt - 1](image, screen, color[0]);
+    fill_attempt(attempt)(image, screen, color[0]);
     return 0;
 }
 
@@ -600,8 +585,8 @@ static const struct scene scenes[] = {
     {.name = "bust", .needs = NEEDS_MODEL, .width = 800, .height = 800, .draw = draw_bust},
     {.name = "triangle", .number = THREE, .draw = draw_list},
     {.name = "far", .width = 240, .height = 160, .number = FAR, .draw = draw_list},
-    {.name = "sheet", .width = 800, .height = 800, .draw = draw_sheet},
-    {.name = "fan", .width = 800, .height = 800, .draw = draw_fan},
+    {.name = "sheet", .width = 800, .height = 800, .number = SHEET, .draw = draw_mesh},
+    {.name = "fan", .width = 800, .height = 800, .number = FAN, .draw = draw_mesh},
     {.name = "faces", .needs = NEEDS_MODEL, .width = 800, .height = 800, .draw = draw_faces},
     {.name = "gradient", .width = 800, .height = 800, .number = COLORED, .draw = draw_list},
 };

@@ -12,6 +12,9 @@
 #include <stdint.h>
 #include <string.h>
 
+typedef double intensity_function(struct vec3 w0, struct vec3 w1, struct vec3 w2,
+                                  struct vec3 to_light);
+
 /* Attempt 1: the cross product as it is. Its length is twice the area of the face, so large faces
  * are bright and small ones dark: a fine mesh is nearly black. */
 static inline double attempt_1_not_normalized(struct vec3 w0, struct vec3 w1, struct vec3 w2,

@@ -11,9 +11,6 @@
 
 static const struct vec3 front = {0, 0, 1}; /* to the light of scene flat */
 
-typedef double intensity_function(struct vec3 w0, struct vec3 w1, struct vec3 w2,
-                                  struct vec3 to_light);
-
 /* draw_flat() with another intensity, lit from the front. */
 static void draw_with(const struct model *model, intensity_function *find, struct image *image) {
     image_clear(image, color_grey(0));
@@ -44,18 +41,16 @@ static void draw_not_normalized(const struct model *model) {
     figure_save(&sheet.image, "not_normalized");
 }
 
-/* Paint a pixel magenta where it shows a face although another is nearer. A depth for every pixel,
- * as in lesson 5, finds the nearest one. */
-static void mark_faults(const struct model *model, struct image *image) {
-    static double nearest[800 * 800], shown[800 * 800];
-    size_t pixel_count = image->width * image->height;
-    for (size_t i = 0; i < pixel_count; i++) {
-        nearest[i] = shown[i] = -INFINITY;
-    }
+/* What draw_flat() draws, with a pixel in magenta where it shows a face although another is nearer.
+ * A depth for every pixel, as in lesson 5, finds the nearest one. */
+static void draw_marked(const struct model *model, struct image *image) {
+    double *nearest = figure_memory(image->width * image->height, sizeof *nearest);
+    depth_clear(nearest, image->width * image->height);
     for (size_t face = 0; face < model->face_count; face++) {
         struct vertex v[3];
         struct edges edges;
-        if (!(face_intensity(model, face, front) > 0) || !place_face(model, face, image, v) ||
+        const double intensity = face_intensity(model, face, front);
+        if (!(intensity > 0) || !place_face(model, face, image, v) ||
             !edges_setup(&edges, v[0].position, v[1].position, v[2].position, image->width,
                          image->height)) {
             continue;
@@ -63,35 +58,30 @@ static void mark_faults(const struct model *model, struct image *image) {
         for (int y = edges.y_begin; y < edges.y_end; y++) {
             struct span span = edges_span(&edges, y);
             for (int x = span.begin; x < span.end; x++) {
-                size_t i = (size_t)y * image->width + (size_t)x;
-                shown[i] =
+                double *kept = &nearest[(size_t)y * image->width + (size_t)x];
+                double depth =
                     interpolate(edges_weights(&edges, x, y), model_position(model, face, 0).z,
                                 model_position(model, face, 1).z, model_position(model, face, 2).z);
-                nearest[i] = fmax(nearest[i], shown[i]);
+                image_set(image, x, y,
+                          depth < *kept ? color_rgb(255, 0, 160)
+                                        : color_grey(level_from(intensity * 255)));
+                *kept = fmax(*kept, depth);
             }
         }
     }
-    size_t faults = 0;
-    for (size_t i = 0; i < pixel_count; i++) {
-        if (shown[i] < nearest[i]) {
-            image_set(image, (int)(i % image->width), (int)(i / image->width),
-                      color_rgb(255, 0, 160));
-            faults++;
-        }
-    }
-    printf("%zu pixels show a face that lies behind another\n", faults);
 }
 
 /* What is still wrong: parts that lie behind others are painted over them. */
 static void draw_faults(const struct model *model) {
     const struct detail ear = {490, 420, 110, 160, .zoom = 4};
     const struct detail head = {190, 200, 420, 600, .zoom = 1};
-    struct image image = figure_image(800, 800);
+    struct image image = figure_image(800, 800), marked = figure_image(800, 800);
     struct drawing drawing = {.model = model, .light = {0, 0, -1}, .skip = true};
     figure_need(draw_flat(&drawing, &image, &figure_error));
     figure_save_detail(&image, ear, "detail_ear");
-    mark_faults(model, &image);
-    figure_save_detail(&image, head, "faults");
+    draw_marked(model, &marked);
+    figure_save_detail(&marked, head, "faults");
+    printf("%zu pixels show a face that lies behind another\n", different_pixels(&image, &marked));
 }
 
 void draw_figures(struct model *bust) {

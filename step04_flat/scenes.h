@@ -22,7 +22,7 @@ static const struct scene_value flat_values[] = {
 /* By an attempt, or by what the lesson writes. */
 static double intensity_of(const struct model *model, size_t face, struct vec3 to_light,
                            int attempt) {
-    static double (*const attempts[])(struct vec3, struct vec3, struct vec3, struct vec3) = {
+    static intensity_function *const attempts[] = {
         attempt_1_not_normalized, attempt_2_inward, attempt_3_absolute, attempt_4_float,
         attempt_5_root_0,         attempt_6_root_1, attempt_7_root_2,
     };
@@ -58,14 +58,17 @@ static bool draw_flat(struct drawing *drawing, struct image *image, struct error
     return true;
 }
 
-/* A face that shares no corner. */
+/* A model of one face. */
+static struct model one_face(struct vec3 corners[3]) {
+    static struct face face = {
+        {{0, MODEL_NONE, MODEL_NONE}, {1, MODEL_NONE, MODEL_NONE}, {2, MODEL_NONE, MODEL_NONE}}};
+    return (struct model){
+        .positions = corners, .position_count = 3, .faces = &face, .face_count = 1};
+}
+
 static bool draw_face(struct drawing *drawing, struct image *image, struct vec3 corners[3],
                       struct error *error) {
-    struct face face = {
-        {{0, MODEL_NONE, MODEL_NONE}, {1, MODEL_NONE, MODEL_NONE}, {2, MODEL_NONE, MODEL_NONE}}};
-    const struct model one = {
-        .positions = corners, .position_count = 3, .faces = &face, .face_count = 1};
-    const struct model *model = drawing->model;
+    const struct model one = one_face(corners), *model = drawing->model;
     drawing->model = &one;
     bool done = draw_flat(drawing, image, error);
     drawing->model = model;

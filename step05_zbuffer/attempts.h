@@ -44,6 +44,7 @@ static inline void attempt_triangle(struct image *image, const struct drawn *d, 
     }
 }
 
+/* Attempt 1, without a test: the order of the list, as in lesson 4. What comes last is seen. */
 static inline void attempt_draw(struct image *image, const struct drawn *list, size_t count,
                                 depth_test *test, void *buffer) {
     for (size_t i = 0; i < count; i++) {
@@ -52,12 +53,6 @@ static inline void attempt_draw(struct image *image, const struct drawn *list, s
 }
 
 /* ---- Without a depth for each pixel ---- */
-
-/* Attempt 1: the order of the list, as in lesson 4. What comes last is seen. */
-static inline void attempt_1_file_order(struct image *image, const struct drawn *list,
-                                        size_t count) {
-    attempt_draw(image, list, count, NULL, NULL);
-}
 
 static inline double attempt_mean_depth(const struct drawn *d) {
     return (d->v[0].depth + d->v[1].depth + d->v[2].depth) / 3;
@@ -89,14 +84,18 @@ static inline void attempt_fill_float(void *buffer, size_t pixel_count, float va
     }
 }
 
-static inline bool attempt_keep_float(void *buffer, size_t i, double depth) {
-    float *kept = (float *)buffer + i;
-    if (!((float)depth > *kept)) {
-        return false;
+/* A depth test that keeps `value`, an expression of `depth`, as a number of that type. */
+#define ATTEMPT_KEEP(name, type, is_nearer, value)                                                 \
+    static inline bool name(void *buffer, size_t i, double depth) {                                \
+        type now = (type)(value), *kept = (type *)buffer + i;                                      \
+        if (!(now is_nearer kept[0])) {                                                            \
+            return false;                                                                          \
+        }                                                                                          \
+        kept[0] = now;                                                                             \
+        return true;                                                                               \
     }
-    *kept = (float)depth;
-    return true;
-}
+
+ATTEMPT_KEEP(attempt_keep_float, float, >, depth)
 
 /* Attempt 3: a depth buffer, but one depth for the whole triangle: its mean. Triangles cut into
  * each other along their sides: as many faults as attempt 2 has, without the sorting. */
@@ -110,15 +109,6 @@ static inline void attempt_3_mean_depth(struct image *image, const struct drawn 
     }
 }
 
-static inline bool attempt_keep_farther(void *buffer, size_t i, double depth) {
-    float *kept = (float *)buffer + i;
-    if (!((float)depth < *kept)) {
-        return false;
-    }
-    *kept = (float)depth;
-    return true;
-}
-
 /* ---- Fewer bits ---- */
 
 /* Depth -1..1 as a whole number 1..most; 0 is left for "nothing here". */
@@ -127,18 +117,10 @@ static inline uint32_t attempt_whole_depth(double depth, uint32_t most) {
     return 1 + (uint32_t)((inside + 1) / 2 * (most - 1) + 0.5);
 }
 
-/* Keep a depth as a whole number of that type, up to `most`. */
-#define ATTEMPT_KEEP_WHOLE(name, type, most)                                                       \
-    static inline bool name(void *buffer, size_t i, double depth) {                                \
-        type level = (type)attempt_whole_depth(depth, most);                                       \
-        bool nearer = level > ((type *)buffer)[i];                                                 \
-        ((type *)buffer)[i] = nearer ? level : ((type *)buffer)[i];                                \
-        return nearer;                                                                             \
-    }
-
-ATTEMPT_KEEP_WHOLE(attempt_keep_8, uint8_t, 255)
-ATTEMPT_KEEP_WHOLE(attempt_keep_16, uint16_t, 65535)
-ATTEMPT_KEEP_WHOLE(attempt_keep_24, uint32_t, 16777215) /* the other 8 bits are often used */
+ATTEMPT_KEEP(attempt_keep_8, uint8_t, >, attempt_whole_depth(depth, 255))
+ATTEMPT_KEEP(attempt_keep_16, uint16_t, >, attempt_whole_depth(depth, 65535))
+/* of 32 bits: the others are often used for something else */
+ATTEMPT_KEEP(attempt_keep_24, uint32_t, >, attempt_whole_depth(depth, 16777215))
 
 /* Cameras with perspective (lesson 8) store near/distance or 1 - near/distance, because these are
  * straight on the screen. Here the eye is at depth 2, and nothing is nearer to it than 0.001. */
@@ -146,13 +128,8 @@ static inline double attempt_near_over_distance(double depth) {
     return 0.001 / (2 - depth);
 }
 
-static inline bool attempt_keep_from_near(void *buffer, size_t i, double depth) {
-    return attempt_keep_farther(buffer, i, 1 - attempt_near_over_distance(depth));
-}
-
-static inline bool attempt_keep_reversed(void *buffer, size_t i, double depth) {
-    return attempt_keep_float(buffer, i, attempt_near_over_distance(depth));
-}
+ATTEMPT_KEEP(attempt_keep_from_near, float, <, 1 - attempt_near_over_distance(depth))
+ATTEMPT_KEEP(attempt_keep_reversed, float, >, attempt_near_over_distance(depth))
 
 /* Attempts 6 to 11: what a depth is kept in. */
 struct attempt_buffer {

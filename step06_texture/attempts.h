@@ -44,6 +44,9 @@ static inline struct color attempt_sample_bilinear(const struct texture *texture
 
 /* ---- Triangles ---- */
 
+typedef void attempt_function(struct image *image, const struct vertex v[3],
+                              const struct texture *texture);
+
 /* Exact coordinates and a sampler that knows nothing of mip levels. */
 static inline void attempt_perspective(struct image *image, const struct vertex *v,
                                        const struct texture *texture, attempt_sampler *sampler) {
@@ -93,6 +96,29 @@ static inline void attempt_5_affine(struct image *image, const struct vertex v[3
     struct vertex flat[3] = {v[0], v[1], v[2]};
     flat[0].recip_w = flat[1].recip_w = flat[2].recip_w = 1;
     attempt_4_no_levels(image, flat, texture);
+}
+
+/* The lesson's own: with mip levels. */
+static inline void attempt_6_levels(struct image *image, const struct vertex v[3],
+                                    const struct texture *texture) {
+    struct canvas canvas = {.image = image, .sampler = SAMPLE_TRILINEAR, .skip = true};
+    perspective_triangle(&canvas, v, texture);
+}
+
+/* Two triangles, by any version. */
+static inline void attempt_quad(struct image *image, const struct vertex c[4],
+                                const struct texture *texture, attempt_function *attempt) {
+    attempt(image, (const struct vertex[]){c[0], c[1], c[2]}, texture);
+    attempt(image, (const struct vertex[]){c[0], c[2], c[3]}, texture);
+}
+
+/* A square of `side` pixels, on which is all of the picture. */
+static inline void attempt_square(struct vertex corners[4], int side) {
+    const int32_t end = side * SUBPIXELS;
+    corners[0] = (struct vertex){.position = {0, 0}, .uv = {0, 0}, .recip_w = 1};
+    corners[1] = (struct vertex){.position = {end, 0}, .uv = {1, 0}, .recip_w = 1};
+    corners[2] = (struct vertex){.position = {end, end}, .uv = {1, 1}, .recip_w = 1};
+    corners[3] = (struct vertex){.position = {0, end}, .uv = {0, 1}, .recip_w = 1};
 }
 
 /* ---- The exact answer ---- */

@@ -10,24 +10,6 @@
 
 enum { GAP = 8 }; /* pixels between the panels of a figure */
 
-typedef void draw_function(struct image *image, const struct vertex v[3],
-                           const struct texture *texture);
-
-/* The good version, with the attempts' parameters. */
-static void draw_good(struct image *image, const struct vertex v[3],
-                      const struct texture *texture) {
-    struct canvas canvas = {.image = image, .sampler = SAMPLE_TRILINEAR, .skip = true};
-    perspective_triangle(&canvas, v, texture);
-}
-
-static void draw_quad(struct image *image, const struct vertex corners[4],
-                      const struct texture *texture, draw_function *draw) {
-    const struct vertex first[3] = {corners[0], corners[1], corners[2]};
-    const struct vertex second[3] = {corners[0], corners[2], corners[3]};
-    draw(image, first, texture);
-    draw(image, second, texture);
-}
-
 /* ---- Samplers: a picture of 4x4 texels on a square ---- */
 
 static struct color small_color(int x, int y) {
@@ -38,22 +20,17 @@ static struct color small_color(int x, int y) {
 
 static void draw_samplers(void) {
     enum { SIDE = 192 };
-    static draw_function *const draws[] = {attempt_1_rounded, attempt_2_nearest,
-                                           attempt_3_unshifted, attempt_4_no_levels};
+    static attempt_function *const attempts[] = {attempt_1_rounded, attempt_2_nearest,
+                                                 attempt_3_unshifted, attempt_4_no_levels};
     struct texture texture;
     struct sheet sheet = {.width = SIDE, .height = SIDE, .columns = 4, .rows = 1, .gap = GAP};
     figure_need(paint_picture(&texture, 4, 4, small_color, &figure_error));
     sheet_create(&sheet);
-    const int32_t end = SIDE * SUBPIXELS;
+    struct vertex corners[4];
     texture_set_clamp(&texture, true);
-    const struct vertex corners[4] = {
-        {.position = {0, 0}, .uv = {0, 0}, .recip_w = 1},
-        {.position = {end, 0}, .uv = {1, 0}, .recip_w = 1},
-        {.position = {end, end}, .uv = {1, 1}, .recip_w = 1},
-        {.position = {0, end}, .uv = {0, 1}, .recip_w = 1},
-    };
+    attempt_square(corners, SIDE);
     for (size_t i = 0; i < 4; i++) {
-        draw_quad(&sheet.panel, corners, &texture, draws[i]);
+        attempt_quad(&sheet.panel, corners, &texture, attempts[i]);
         sheet_add(&sheet);
     }
     figure_save(&sheet.image, "samplers");
@@ -66,7 +43,7 @@ static const struct drawing still = {.values = NULL};
 
 static void draw_affine(const struct texture *checker) {
     enum { SIDE = 320 };
-    static draw_function *const draws[] = {attempt_5_affine, draw_good};
+    static attempt_function *const attempts[] = {attempt_5_affine, attempt_6_levels};
     static const struct surface_corner board[4] = {{-1.7, 0, 1.25, {-1.7, 1.25}},
                                                    {0.8, 0, 1.25, {0.8, 1.25}},
                                                    {0.8, 0, 4.25, {0.8, 4.25}},
@@ -76,7 +53,7 @@ static void draw_affine(const struct texture *checker) {
     for (size_t i = 0; i < 2; i++) {
         struct vertex corners[4];
         place_surface(&still, &sheet.panel, board, corners);
-        draw_quad(&sheet.panel, corners, checker, draws[i]);
+        attempt_quad(&sheet.panel, corners, checker, attempts[i]);
         sheet_add(&sheet);
     }
     figure_save(&sheet.image, "affine");
@@ -85,7 +62,8 @@ static void draw_affine(const struct texture *checker) {
 /* ---- The horizon of scene checker ---- */
 
 static void draw_horizon(const struct texture *checker) {
-    static draw_function *const draws[] = {attempt_2_nearest, attempt_4_no_levels, draw_good};
+    static attempt_function *const attempts[] = {attempt_2_nearest, attempt_4_no_levels,
+                                                 attempt_6_levels};
     const struct detail far = {200, 440, 162, 120, .zoom = 2};
     struct sheet sheet = {.width = (size_t)(far.width * far.zoom),
                           .height = (size_t)(far.height * far.zoom),
@@ -98,36 +76,10 @@ static void draw_horizon(const struct texture *checker) {
         struct vertex corners[4];
         place_surface(&still, &image, plane_corners, corners);
         image_clear(&image, color_grey(0));
-        draw_quad(&image, corners, checker, draws[i]);
+        attempt_quad(&image, corners, checker, attempts[i]);
         sheet_add_detail(&sheet, &image, far);
     }
     figure_save(&sheet.image, "horizon");
-}
-
-/* ---- The levels that the scene uses, each in its colour ---- */
-
-/* A texel, made lighter and then multiplied by a colour: all tiles stay visible. */
-static uint32_t tinted(uint32_t texel, uint32_t color) {
-    uint32_t result = 0xFF000000;
-    for (int shift = 0; shift < 24; shift += 8) {
-        uint32_t part = texel >> shift & 255, of = color >> shift & 255;
-        result |= ((part + 255) / 2 * of / 255) << shift;
-    }
-    return result;
-}
-
-/* The tiles, whose level i is tinted with the colour of level i. */
-static void paint_levels(struct texture *texture) {
-    static const uint32_t colors[] = {0xFFFFFF, 0xF0E442, 0x56B4E9, 0x009E73, 0xE69F00,
-                                      0xD55E00, 0xCC79A7, 0x0072B2, 0x404040};
-    figure_need(make_checker(texture, &figure_error));
-    for (size_t i = 0; i < texture->level_count; i++) {
-        const struct texture_level *level = &texture->level[i];
-        for (size_t j = 0; j < level->pitch * level->height; j++) {
-            level->texels[j] =
-                tinted(level->texels[j], colors[i % (sizeof colors / sizeof colors[0])]);
-        }
-    }
 }
 
 /* ---- The textures themselves ---- */
@@ -146,15 +98,16 @@ static void show_texture(struct image *image, const struct texture *texture) {
     }
 }
 
-/* Drawn twice as large as it is shown, which is as the next level. */
+/* The levels that scene checker uses, each in its colour. Drawn twice as large as it is shown,
+ * which is as the next level. */
 static void draw_levels(void) {
     enum { SIDE = 800, SHOWN = 400 };
     struct texture texture, drawn;
     struct image panel = figure_image(SIDE, SIDE), shown = figure_image(SHOWN, SHOWN);
     struct vertex corners[4];
-    paint_levels(&texture);
+    figure_need(make_colored(&texture, &figure_error));
     place_surface(&still, &panel, plane_corners, corners);
-    draw_quad(&panel, corners, &texture, draw_good);
+    attempt_quad(&panel, corners, &texture, attempt_6_levels);
     figure_need(texture_create(&drawn, &panel, &figure_error));
     show_texture(&shown, &drawn);
     figure_save(&shown, "levels");

@@ -245,21 +245,25 @@ static bool make_checker(struct texture *texture, struct error *error) {
     return paint_picture(texture, CHECKER_SIZE, CHECKER_SIZE, checker_color, error);
 }
 
-static struct color white_color(int x, int y) {
-    (void)x, (void)y;
-    return color_rgb(255, 255, 255);
+/* A texel, made lighter and then multiplied by a colour: all tiles stay visible. */
+static uint32_t tinted(uint32_t texel, uint32_t color) {
+    uint32_t result = 0xFF000000;
+    for (int shift = 0; shift < 24; shift += 8) {
+        uint32_t part = texel >> shift & 255, of = color >> shift & 255;
+        result |= ((part + 255) / 2 * of / 255) << shift;
+    }
+    return result;
 }
 
-/* Of one colour on each level: white, red, green, blue, yellow, magenta, cyan, grey. */
+/* The tiles, in another colour on each level: white, yellow, light blue, green, orange... */
 static bool make_colored(struct texture *texture, struct error *error) {
-    static const uint32_t colors[] = {0xffffff, 0xff4040, 0x40c040, 0x4060ff,
-                                      0xffe040, 0xff60ff, 0x40ffff, 0x808080};
-    bool done = paint_picture(texture, CHECKER_SIZE, CHECKER_SIZE, white_color, error);
+    static const uint32_t colors[] = {0xFFFFFF, 0xF0E442, 0x56B4E9, 0x009E73, 0xE69F00,
+                                      0xD55E00, 0xCC79A7, 0x0072B2, 0x404040};
+    bool done = make_checker(texture, error);
     for (size_t i = 0; done && i < texture->level_count; i++) {
         const struct texture_level *level = &texture->level[i];
-        for (size_t k = 0; k < level->width * level->height; k++) {
-            level->texels[k / level->width * level->pitch + k % level->width] =
-                0xff000000U | colors[i < 8 ? i : 7];
+        for (size_t k = 0; k < level->pitch * level->height; k++) {
+            level->texels[k] = tinted(level->texels[k], colors[i]);
         }
     }
     return done;
@@ -434,18 +438,14 @@ static void draw_plane(struct drawing *drawing, struct image *image, const struc
     note_texel(drawing, image, second, texture);
     texture = drawing_value(drawing, "colors") != 0 ? &state->picture[COLORED] : texture;
     const struct texture coarse = from_level(texture, (size_t)drawing_value(drawing, "level"));
-    texture = &coarse;
-    static void (*const attempts[])(struct image *, const struct vertex[3],
-                                    const struct texture *) = {attempt_1_rounded,
-                                                               attempt_3_unshifted};
+    static attempt_function *const attempts[] = {attempt_1_rounded, attempt_3_unshifted};
     const int attempt = (int)drawing_value(drawing, "attempt");
     if (attempt > 0) {
-        attempts[attempt - 1](image, first, texture);
-        attempts[attempt - 1](image, second, texture);
+        attempt_quad(image, corners, &coarse, attempts[attempt - 1]);
         return;
     }
-    perspective_triangle(&canvas, first, texture);
-    perspective_triangle(&canvas, second, texture);
+    perspective_triangle(&canvas, first, &coarse);
+    perspective_triangle(&canvas, second, &coarse);
     drawing_count(drawing, "pixels_written", canvas.pixels_written);
     drawing_count(drawing, "texels_fetched", canvas.texels_fetched);
 }

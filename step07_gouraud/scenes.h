@@ -220,94 +220,22 @@ static bool draw_colors(struct drawing *drawing, struct image *image, struct err
 
 /* ---- Scene sphere: how many triangles are enough? ---- */
 
-enum { SPHERE_MOST = 64, SPHERE_CORNERS = 2 * SPHERE_MOST * SPHERE_MOST };
-
 static const struct scene_value sphere_values[] = {
-    {"rings", "rings from pole to pole", 2, SPHERE_MOST, 1, 8},
+    {"cuts", "how often each face is cut into four", 0, 6, 1, 2},
     {"look", "0 flat, 1 light at the corners, 2 a normal at each pixel", 0, 2, 1, 1},
     {.name = NULL},
 };
 
-/* A sphere of 4 * rings * rings faces, those at the poles without area. */
-struct sphere {
-    struct vec3 positions[SPHERE_CORNERS + 2 * SPHERE_MOST];
-    float normals[2 * SPHERE_CORNERS][3];
-    struct face faces[2 * SPHERE_CORNERS];
-};
-
-/* Every corner has its own normal, or all corners of a face have the face's. */
-static struct model make_sphere(struct sphere *sphere, uint32_t rings, bool flat) {
-    struct model model = {.positions = sphere->positions,
-                          .normals = sphere->normals,
-                          .faces = sphere->faces,
-                          .position_count = (size_t)2 * rings * (rings + 1),
-                          .face_count = (size_t)4 * rings * rings};
-    const uint32_t around = 2 * rings;
-    const double turn = 2 * acos(-1);
-    model.normal_count = flat ? model.face_count : model.position_count;
-    for (uint32_t i = 0; i < model.position_count; i++) {
-        const double down = i / around * turn / 2 / rings, right = i % around * turn / around;
-        sphere->positions[i] = (struct vec3){0.9 * sin(down) * sin(right), 0.9 * cos(down),
-                                             0.9 * sin(down) * cos(right)};
-    }
-    for (uint32_t i = 0; i < model.face_count; i++) {
-        uint32_t ring = i / 2 / around, column = i / 2 % around, next = (column + 1) % around;
-        uint32_t upper = ring * around, lower = upper + around;
-        uint32_t corner[3] = {upper + column, lower + column, lower + next};
-        if (i % 2 == 1) {
-            corner[1] = lower + next;
-            corner[2] = upper + next;
-        }
-        for (int k = 0; k < 3; k++) {
-            sphere->faces[i].corner[k] = (struct corner){
-                .position = corner[k], .uv = MODEL_NONE, .normal = flat ? i : corner[k]};
-        }
-    }
-    for (size_t i = 0; i < model.normal_count; i++) {
-        const struct vec3 n = flat ? model_face_normal(&model, i) : sphere->positions[i];
-        sphere->normals[i][0] = (float)n.x;
-        sphere->normals[i][1] = (float)n.y;
-        sphere->normals[i][2] = (float)n.z;
-    }
-    return model;
-}
-
-/* Each pixel gets the light of the sphere itself; or, where that is not shown, only counts how far
- * it is from that. */
-static void light_pixels(struct drawing *drawing, struct image *image, bool show) {
-    const struct vec3 to_light = vec3_normalized(drawing->light);
-    uint64_t error = 0, count = 0;
-    for (size_t i = 0; i < image->width * image->height; i++) {
-        const size_t x = i % image->width, y = i / image->width;
-        double exact;
-        if (exact_sphere(x, y, image->width, image->height, to_light, &exact)) {
-            uint8_t level = level_from(exact);
-            error += (uint64_t)abs(level - image_get(image, (int)x, (int)y).r);
-            count++;
-            if (show) {
-                image_set(image, (int)x, (int)y, color_grey(level));
-            }
-        }
-    }
-    drawing_count(drawing, "error_of_1000_pixels", show ? 0 : 1000 * error / (count + !count));
-}
-
 static bool draw_sphere(struct drawing *drawing, struct image *image, struct error *error) {
-    const int look = (int)drawing_value(drawing, "look");
-    const struct lighting lighting = {.light = vec3_normalized(drawing->light)};
+    (void)error;
+    static attempt_function *const looks[] = {attempt_1_flat, attempt_2_gouraud, attempt_3_normal};
+    const int cuts = (int)drawing_value(drawing, "cuts");
+    const struct vec3 to_light = vec3_normalized(drawing->light);
     struct canvas canvas = canvas_on(image, image->width, image->height, drawing);
-    struct sphere *sphere = malloc(sizeof *sphere);
-    if (sphere == NULL) {
-        return error_out_of_memory(error);
-    }
-    const struct model model =
-        make_sphere(sphere, (uint32_t)drawing_value(drawing, "rings"), look == 0);
-    drawing->model = &model;
-    draw_faces(drawing, &canvas, &lighting);
-    drawing->model = NULL;
-    drawing_count(drawing, "triangles", model.face_count);
-    light_pixels(drawing, image, look == 2);
-    free(sphere);
+    attempt_sphere(&canvas, cuts, to_light, looks[(int)drawing_value(drawing, "look")]);
+    drawing_count(drawing, "triangles", UINT64_C(8) << 2 * cuts);
+    drawing_count(drawing, "error_in_thousandths",
+                  (uint64_t)(1000 * sphere_error(&canvas, to_light)));
     return true;
 }
 
@@ -316,8 +244,10 @@ static bool draw_sphere(struct drawing *drawing, struct image *image, struct err
 static bool prepare(struct drawing *drawing, size_t width, size_t height, struct error *error) {
     (void)width, (void)height;
     struct state *state = drawing->state;
-    const size_t count = drawing->model != NULL ? drawing->model->normal_count : 2 * SPHERE_CORNERS;
-    state->known = calloc(count + 1, sizeof *state->known);
+    if (drawing->model == NULL) {
+        return true;
+    }
+    state->known = calloc(drawing->model->normal_count + 1, sizeof *state->known);
     return state->known != NULL || error_out_of_memory(error);
 }
 
@@ -359,7 +289,7 @@ static const struct scene scenes[] = {
         .name = "sphere",
         .extra = true,
         .needs = NEEDS_DEPTH,
-        .light = {1, 1, 1},
+        .light = {1, 2, 2},
         .values = sphere_values,
         .draw = draw_sphere,
     },

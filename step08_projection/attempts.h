@@ -1,7 +1,7 @@
 /*
  * Lesson 8: the worse and the better versions, for the lesson's figures and the benchmark.
  *
- * Include main.c first: these versions use its cameras, its faces and its triangle().
+ * Include main.c first: it has what these versions stand next to.
  */
 #ifndef STEP08_ATTEMPTS_H
 #define STEP08_ATTEMPTS_H
@@ -26,45 +26,9 @@ static inline struct vec2 attempt_14_divided(struct vec3 view, double distance) 
     return (struct vec2){view.x / w, view.y / w};
 }
 
-/* ---- Drawing the whole model: the same shape as draw_model() ---- */
+/* ---- Clipping: attempts 7 and 8 are in draw_face() of scenes.h, chosen by a number ---- */
 
-typedef void attempt_draw(struct drawing *drawing, struct canvas *canvas,
-                          const struct mat4 *to_clip);
-
-/* Whether the whole face is in front of the near plane and within the guard band. */
-static inline bool attempt_in_front(struct position *const corner[3]) {
-    unsigned beyond = corner[0]->beyond | corner[1]->beyond | corner[2]->beyond;
-    return (beyond & (BEYOND_NEAR | BEYOND_GUARD_BAND)) == 0;
-}
-
-/* Without clipping, all faces or those in front. */
-static inline void attempt_faces(struct drawing *drawing, struct canvas *canvas,
-                                 const struct mat4 *to_clip, bool all) {
-    struct position *positions = ((struct state *)drawing->state)->positions;
-    transform_positions(drawing, to_clip);
-    for (size_t i = 0; i < drawing->model->face_count; i++) {
-        const struct corner *c = drawing->model->faces[i].corner;
-        struct position *corner[3] = {&positions[c[0].position], &positions[c[1].position],
-                                      &positions[c[2].position]};
-        if (all || attempt_in_front(corner)) {
-            draw_whole(drawing, canvas, i, corner);
-        }
-    }
-}
-
-/* Divides by w, whatever w is. A point behind the camera has a negative w, so it appears in front,
- * upside down, and a face with one such corner covers the wrong side of the picture. */
-static inline void attempt_7_unclipped(struct drawing *drawing, struct canvas *canvas,
-                                       const struct mat4 *to_clip) {
-    attempt_faces(drawing, canvas, to_clip, true);
-}
-
-/* Skips faces with a corner behind the near plane, which leaves holes where large faces pass under
- * the camera. */
-static inline void attempt_8_left_out(struct drawing *drawing, struct canvas *canvas,
-                                      const struct mat4 *to_clip) {
-    attempt_faces(drawing, canvas, to_clip, false);
-}
+static const struct scene_value attempt_values[] = {{.name = "attempt"}, {.name = NULL}};
 
 /* ---- Normals ---- */
 

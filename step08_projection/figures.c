@@ -17,33 +17,20 @@ static struct sheet row_create(size_t side, size_t columns) {
     return sheet;
 }
 
-/* ---- Cameras ---- */
-
-struct camera {
-    struct vec3 eye, center, up;
-};
-
-static const struct camera front = {{0, 0, 2}, {0, 0, 0}, {0, 1, 0}};
-static const struct camera close_up = {{0.03, 0.47, 0.46}, {0.03, -0.3, 0.4}, {0, 0, 1}};
-
-static double camera_distance(const struct camera *c) {
-    return vec3_length(vec3_sub(c->eye, c->center));
-}
-
-static struct mat4 camera_frame(const struct camera *c) {
-    return lookat(c->eye, c->center, c->up);
-}
-
-static struct mat4 camera_clip(const struct camera *c) {
-    return mat4_mul(projection(camera_distance(c)), camera_frame(c));
+/* The drawing, seen by the camera of closeup. */
+static struct drawing seen_close_up(const struct drawing *drawing) {
+    struct drawing close = *drawing;
+    close.eye = (struct vec3){0.03, 0.47, 0.46};
+    close.center = (struct vec3){0.03, -0.3, 0.4};
+    close.up = (struct vec3){0, 0, 1};
+    return close;
 }
 
 /* Draw the model into the whole image. */
-static void draw_with(struct drawing *drawing, struct image *image, struct mat4 to_clip,
-                      attempt_draw *draw) {
+static void draw_with(struct drawing *drawing, struct image *image, struct mat4 to_clip) {
     struct canvas canvas = make_canvas(drawing, image, whole_image(image));
     depth_clear(drawing->depth, image->width * image->height);
-    draw(drawing, &canvas, &to_clip);
+    draw_model(drawing, &canvas, &to_clip);
 }
 
 /* ---- The figures with the model ---- */
@@ -53,18 +40,20 @@ static void draw_distances(struct drawing *drawing) {
     static const double distances[4] = {1, 2, 4, INFINITY};
     struct sheet sheet = row_create(SMALL_SIDE, 4);
     for (int i = 0; i < 4; i++) {
-        draw_with(drawing, &sheet.panel, mat4_mul(projection(distances[i]), camera_frame(&front)),
-                  draw_model);
+        draw_with(drawing, &sheet.panel, camera(drawing, distances[i]));
         sheet_add(&sheet);
     }
     figure_save(&sheet.image, "distances");
 }
 
-static void draw_clipping(struct drawing *drawing) {
-    static attempt_draw *const draws[] = {attempt_7_unclipped, attempt_8_left_out, draw_model};
+static void draw_clipping(const struct drawing *drawing) {
+    static const enum attempt attempts[] = {UNCLIPPED, LEFT_OUT, CUT};
+    struct drawing close = seen_close_up(drawing);
     struct sheet sheet = row_create(SIDE, 3);
+    close.values = attempt_values;
     for (int i = 0; i < 3; i++) {
-        draw_with(drawing, &sheet.panel, camera_clip(&close_up), draws[i]);
+        close.value[0] = attempts[i];
+        draw_with(&close, &sheet.panel, perspective_camera(&close));
         sheet_add(&sheet);
     }
     figure_save(&sheet.image, "clipping");
@@ -82,32 +71,31 @@ static struct texture make_red(void) {
 
 /* The head, with those faces red that are behind the close camera. */
 static void draw_behind_red(struct drawing *drawing, struct image *image,
-                            const struct mat4 *to_clip, const struct texture *red) {
+                            const struct mat4 *to_clip, const struct mat4 *close_clip) {
+    const struct texture red = make_red();
     struct canvas canvas = make_canvas(drawing, image, whole_image(image));
-    const struct mat4 close_clip = camera_clip(&close_up);
     depth_clear(drawing->depth, image->width * image->height);
     transform_positions(drawing, to_clip);
     for (size_t i = 0; i < drawing->model->face_count; i++) {
         const struct corner *c = drawing->model->faces[i].corner;
-        struct vec4 seen = mat4_point(&close_clip, drawing->model->positions[c[0].position]);
-        canvas.texture = seen.w < near_w ? red : drawing->diffuse;
+        struct vec4 seen = mat4_point(close_clip, drawing->model->positions[c[0].position]);
+        canvas.texture = seen.w < near_w ? &red : drawing->diffuse;
         draw_face(drawing, &canvas, i);
     }
 }
 
 /* The plane through the camera, and the lower and the upper side of what it sees. */
-static void draw_close_camera(struct image *image, const struct mat4 *to_clip) {
+static void draw_close_camera(struct image *image, const struct mat4 *to_clip,
+                              const struct drawing *close) {
     const struct plane plane = {image, whole_image(image)};
     const struct mat4 to_screen = area_to_screen(plane.area), still = mat4_identity();
-    const struct mat4 frame = camera_frame(&close_up), back = mat4_transpose(frame);
+    const struct mat4 back = mat4_transpose(lookat(close->eye, close->center, close->up));
     const struct vec3 ends[] = {{0, -3, 0}, {0, 3, 0}, {0, -1, -1}, {0, 1, -1}};
-    const struct vec4 eye = mat4_point(to_clip, close_up.eye);
+    const struct vec4 eye = mat4_point(to_clip, close->eye);
     for (size_t i = 0; i < sizeof ends / sizeof ends[0]; i++) {
-        double along = i < 2 ? 0 : camera_distance(&close_up) - 1; /* ends at z = -distance */
+        double along = i < 2 ? 0 : eye_distance(close) - 1; /* ends at z = -distance */
         struct vec3 step = mat4_direction(&back, vec3_sub(ends[i], (struct vec3){0, 0, along}));
-        struct vec3 end = {close_up.eye.x + step.x, close_up.eye.y + step.y,
-                           close_up.eye.z + step.z};
-        struct vec4 q = mat4_point(to_clip, end);
+        struct vec4 q = mat4_point(to_clip, vec3_add(close->eye, step));
         struct vec2 from = to_pixels(&to_screen, (struct vec2){eye.x, eye.y});
         plane_line(&plane, &still, from, to_pixels(&to_screen, (struct vec2){q.x, q.y}),
                    i < 2 ? color_rgb(255, 90, 70) : color_rgb(120, 200, 255));
@@ -116,15 +104,16 @@ static void draw_close_camera(struct image *image, const struct mat4 *to_clip) {
 
 /* Left panel: the head from the side, with the camera of closeup. Right: what that camera sees. */
 static void draw_close(struct drawing *drawing) {
-    const struct camera side = {{3, 0.4, 0.35}, {0, 0.4, 0.35}, {0, 1, 0}};
-    const struct mat4 to_clip =
-        mat4_mul(mat4_scaling((struct vec3){1.6, 1.6, 1}), camera_frame(&side));
-    const struct texture red = make_red();
+    const struct mat4 from_side =
+        lookat((struct vec3){3, 0.4, 0.35}, (struct vec3){0, 0.4, 0.35}, (struct vec3){0, 1, 0});
+    const struct mat4 to_clip = mat4_mul(mat4_scaling((struct vec3){1.6, 1.6, 1}), from_side);
+    struct drawing close = seen_close_up(drawing);
+    const struct mat4 close_clip = perspective_camera(&close);
     struct sheet sheet = row_create(LARGE_SIDE, 2);
-    draw_behind_red(drawing, &sheet.panel, &to_clip, &red);
-    draw_close_camera(&sheet.panel, &to_clip);
+    draw_behind_red(drawing, &sheet.panel, &to_clip, &close_clip);
+    draw_close_camera(&sheet.panel, &to_clip, &close);
     sheet_add(&sheet);
-    draw_with(drawing, &sheet.panel, camera_clip(&close_up), draw_model);
+    draw_with(&close, &sheet.panel, close_clip);
     sheet_add(&sheet);
     figure_save(&sheet.image, "close");
 }
@@ -136,7 +125,7 @@ static struct vec2 wall_point(attempt_perspective *see, double u, double v) {
     const struct vec3 left = wall.corner[0], right = wall.corner[2];
     struct vec3 p = {left.x + u * (right.x - left.x), left.y + v * (right.y - left.y),
                      left.z + u * (right.z - left.z)};
-    return see(p, camera_distance(&front));
+    return see(p, 2); /* the distance of the scenes' camera */
 }
 
 static void draw_wall_lines(struct image *image, attempt_perspective *see) {
@@ -168,7 +157,7 @@ static void draw_evenly(void) {
 /* ---- The wall without and with perspective ---- */
 
 static void draw_parallel(const struct drawing *drawing) {
-    const struct mat4 to_clip[2] = {camera_frame(&front), camera_clip(&front)};
+    const struct mat4 to_clip[2] = {parallel_camera(drawing), perspective_camera(drawing)};
     struct quad_model made;
     struct texture tiles;
     struct sheet sheet = row_create(SIDE, 2);
@@ -176,7 +165,7 @@ static void draw_parallel(const struct drawing *drawing) {
     quad_model_make(&made, &wall, 1, drawing->light);
     struct drawing of_quads = drawing_of_quads(drawing, &made, &tiles);
     for (int i = 0; i < 2; i++) {
-        draw_with(&of_quads, &sheet.panel, to_clip[i], draw_model);
+        draw_with(&of_quads, &sheet.panel, to_clip[i]);
         sheet_add(&sheet);
     }
     figure_save(&sheet.image, "parallel");
@@ -218,7 +207,12 @@ static void draw_normals(void) {
 
 void draw_figures(struct model *bust) {
     struct state state = {0};
-    struct drawing drawing = {.light = {1, 1, 2}, .skip = true, .model = bust, .state = &state};
+    struct drawing drawing = {.eye = {0, 0, 2},
+                              .up = {0, 1, 0},
+                              .light = {1, 1, 2},
+                              .skip = true,
+                              .model = bust,
+                              .state = &state};
     drawing.depth = figure_memory(LARGE_SIDE * LARGE_SIDE, sizeof *drawing.depth);
     drawing.diffuse = model_texture(bust, MODEL_DIFFUSE, &figure_error);
     figure_need(drawing.diffuse != NULL && model_need_normals(bust, &figure_error) &&

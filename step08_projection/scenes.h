@@ -280,9 +280,13 @@ struct position {
     struct vertex vertex; /* without intensity and uv */
 };
 
+/* What becomes of a face that crosses the near plane: it is cut. Attempt 7 divides by any w, and
+ * attempt 8 leaves the face out. */
+enum attempt { CUT, UNCLIPPED, LEFT_OUT };
+
 struct state {
     struct position *positions; /* one for each position of the model */
-    int attempt;                /* at the near plane: 0 cut, 1 divided by any w, 2 left out */
+    enum attempt attempt;
 };
 
 /* Each position is transformed once, however many faces share it. */
@@ -431,11 +435,12 @@ static void draw_face(const struct drawing *drawing, struct canvas *canvas, size
                                   &state->positions[c[2].position]};
     unsigned beyond_all = corner[0]->beyond & corner[1]->beyond & corner[2]->beyond;
     unsigned beyond_any = corner[0]->beyond | corner[1]->beyond | corner[2]->beyond;
-    const bool crosses = (beyond_any & (BEYOND_NEAR | BEYOND_GUARD_BAND)) != 0;
-    if ((drawing->skip && (beyond_all & ~(unsigned)BEYOND_GUARD_BAND) != 0) ||
-        (crosses && state->attempt == 2)) {
+    const bool clips = state->attempt != UNCLIPPED;
+    const bool crosses = clips && (beyond_any & (BEYOND_NEAR | BEYOND_GUARD_BAND)) != 0;
+    if ((clips && drawing->skip && (beyond_all & ~(unsigned)BEYOND_GUARD_BAND) != 0) ||
+        (crosses && state->attempt == LEFT_OUT)) {
         canvas->faces_outside++; /* all of it is beyond one side, or it is left out */
-    } else if (crosses && state->attempt == 0) {
+    } else if (crosses) {
         struct polygon polygon = clip_face(corner[0]->clip, corner[1]->clip, corner[2]->clip);
         draw_clipped(drawing, canvas, face, &polygon);
     } else {
@@ -494,7 +499,7 @@ static void note_corner(struct drawing *drawing, const struct canvas *canvas,
 
 static void draw_faces(struct drawing *drawing, struct canvas *canvas, const struct mat4 *to_clip) {
     struct state *state = drawing->state;
-    state->attempt = (int)drawing_value(drawing, "attempt");
+    state->attempt = (enum attempt)drawing_value(drawing, "attempt");
     transform_positions(drawing, to_clip);
     for (size_t i = 0; drawing_take_part(drawing, i); i++) {
         canvas->texture = drawing->diffuse;
@@ -746,11 +751,14 @@ static void note_texel(struct drawing *drawing, const struct canvas *canvas,
                        const struct quad_model *made) {
     const int x = drawing->probe.x, y = drawing->probe.y;
     for (size_t face = 0; drawing->probed && face < made->model.face_count; face++) {
-        const struct corner *corner = made->model.faces[face].corner;
         const struct position *p[3];
+        struct vec2 uv[3];
+        double recip_w[3];
         struct edges edges;
-        for (int i = 0; i < 3; i++) {
-            p[i] = &made->places[corner[i].position];
+        for (size_t i = 0; i < 3; i++) {
+            p[i] = &made->places[made->model.faces[face].corner[i].position];
+            uv[i] = model_uv(&made->model, face, i);
+            recip_w[i] = p[i]->vertex.recip_w;
         }
         if (!p[0]->placed || !p[1]->placed || !p[2]->placed ||
             !edges_setup(&edges, p[0]->vertex.position, p[1]->vertex.position,
@@ -758,22 +766,14 @@ static void note_texel(struct drawing *drawing, const struct canvas *canvas,
             !edges_cover(&edges, x, y)) {
             continue;
         }
-        const struct vec3 weights = edges_weights(&edges, x, y);
-        const double weight[3] = {weights.x, weights.y, weights.z};
-        double u = 0, v = 0, u_by_w = 0, v_by_w = 0, recip_w = 0;
-        for (int i = 0; i < 3; i++) {
-            const float *uv = made->uvs[corner[i].uv];
-            const double part = weight[i] * p[i]->vertex.recip_w;
-            u += weight[i] * uv[0];
-            v += weight[i] * uv[1];
-            u_by_w += part * uv[0];
-            v_by_w += part * uv[1];
-            recip_w += part;
-        }
-        drawing_note(drawing, "u/w %.4f  v/w %.4f  1/w %.4f", u_by_w, v_by_w, recip_w);
-        drawing_note(drawing, "u %.4f  v %.4f  w %.4f", u_by_w / recip_w, v_by_w / recip_w,
-                     1 / recip_w);
-        drawing_note(drawing, "affine: u %.4f  v %.4f", u, v);
+        const struct vec3 screen = edges_weights(&edges, x, y),
+                          w = correct_weights(screen, recip_w);
+        const struct vec2 affine = vec2_interpolate(screen, uv[0], uv[1], uv[2]);
+        const struct vec2 right = vec2_interpolate(w, uv[0], uv[1], uv[2]);
+        const double by_w = interpolate(screen, recip_w[0], recip_w[1], recip_w[2]);
+        drawing_note(drawing, "u/w %.4f  v/w %.4f  1/w %.4f", right.x * by_w, right.y * by_w, by_w);
+        drawing_note(drawing, "u %.4f  v %.4f  w %.4f", right.x, right.y, 1 / by_w);
+        drawing_note(drawing, "affine: u %.4f  v %.4f", affine.x, affine.y);
     }
 }
 

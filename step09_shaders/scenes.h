@@ -374,7 +374,8 @@ static lanes_mask steps_fragment(const void *uniforms, const lanes *varyings, la
     return lanes_all_set();
 }
 
-SHADER(in_steps, .varying_count = 1, .vertex = gouraud_vertex, .fragment = steps_fragment);
+static const struct shader in_steps = {
+    .varying_count = 1, .vertex = gouraud_vertex, .fragment = steps_fragment};
 
 /* With a square in full light next to it. */
 static bool draw_toon(struct drawing *drawing, struct image *image, struct error *error) {
@@ -539,13 +540,12 @@ static bool find_fates(const struct drawing *drawing, const struct canvas *canva
     const size_t faces = drawing->model->face_count;
     const size_t pixels = canvas->image->width * canvas->image->height;
     struct draw_call calls[HEADS];
-    struct kept_face *kept = malloc((HEADS * faces + 1) * sizeof *kept);
+    struct kept_face *kept = malloc((faces + 1) * sizeof *kept); /* of one head */
     struct band band = {{0, (int)canvas->image->height},
                         canvas->image->width,
                         canvas->depth,
                         calloc(pixels, sizeof *band.nearest)};
-    size_t count = 0, *place = calloc(HEADS * faces + 1, sizeof *place);
-    bool done = kept != NULL && band.nearest != NULL && place != NULL;
+    bool done = kept != NULL && band.nearest != NULL;
     make_head_calls(drawing, canvas->image, 0.68, calls);
     for (size_t i = 0; done && i < HEADS * faces; i++) {
         struct placed_face placed;
@@ -558,22 +558,20 @@ static bool find_fates(const struct drawing *drawing, const struct canvas *canva
                       : OUTSIDE;
     }
     for (size_t head = 0; done && head < HEADS; head++) {
-        const size_t begin = count;
-        count += keep_faces(canvas, &calls[head], kept + count);
-        for (size_t i = begin; i < count; i++) {
-            place[i] = head * faces + kept[i].face;
-            fate[place[i]] = HIDDEN;
-            cover_face(&band, &kept[i], (uint32_t)i + 1);
+        const size_t count = keep_faces(canvas, &calls[head], kept);
+        for (size_t i = 0; i < count; i++) {
+            const size_t place = head * faces + kept[i].face;
+            fate[place] = HIDDEN;
+            cover_face(&band, &kept[i], (uint32_t)place + 1);
         }
     }
     for (size_t i = 0; done && i < pixels; i++) {
         if (band.nearest[i] > 0) {
-            fate[place[band.nearest[i] - 1]] = SEEN;
+            fate[band.nearest[i] - 1] = SEEN;
         }
     }
     free(kept);
     free(band.nearest);
-    free(place);
     return done || error_out_of_memory(error);
 }
 

@@ -183,12 +183,11 @@ static bool probe_face(const struct drawing *drawing, const struct image *image,
     }
     const struct vec3 w = edges_weights(&edges, drawing->probe.x, drawing->probe.y);
     const double there = interpolate(w, z[0], z[1], z[2]);
-    const double sum = interpolate(w, recip_w[0], recip_w[1], recip_w[2]);
     if (!(there > *depth)) {
         return false;
     }
     *depth = there;
-    *weight = (struct vec3){w.x * recip_w[0] / sum, w.y * recip_w[1] / sum, w.z * recip_w[2] / sum};
+    *weight = perspective_weights(w, recip_w);
     return true;
 }
 

@@ -22,28 +22,18 @@ enum { CACHE_LINE = 64 };
 #define aligned_alloc(alignment, size) malloc(size)
 #endif
 
-/* The part of array_reserve() for an array that must be moved. */
-void *array_grow(void *array, size_t *capacity, size_t count, size_t element_size);
+/* The part of array_extend() for an array that must be moved. */
+bool array_grow(void *pointer, size_t *capacity, size_t count, size_t element_size);
 
-/* Room for `count` elements in an array (NULL at first) that has room for `*capacity` (0 at first).
- * Returns the array, moved perhaps, or NULL when memory runs out: the old array is then unchanged.
- * An array that grows gets half as much again at least, so that many small steps stay linear. */
-static inline void *array_reserve(void *array, size_t *capacity, size_t count,
-                                  size_t element_size) {
-    return count <= *capacity && array != NULL ? array
-                                               : array_grow(array, capacity, count, element_size);
-}
-
-/* The same for the array whose pointer is at `pointer`, and is set. False when memory runs out. */
+/* Room for `count` elements in the array whose pointer (NULL at first) is at `pointer`, and which
+ * has room for `*capacity` (0 at first). Both are set. False when memory runs out, and the array is
+ * unchanged. One that grows gets half as much again at least: many small steps stay linear. */
 static inline bool array_extend(void *pointer, size_t *capacity, size_t count,
                                 size_t element_size) {
     void *array;
     memcpy(&array, pointer, sizeof array); /* of any type */
-    array = array_reserve(array, capacity, count, element_size);
-    if (array != NULL) {
-        memcpy(pointer, &array, sizeof array);
-    }
-    return array != NULL;
+    return (count <= *capacity && array != NULL) ||
+           array_grow(pointer, capacity, count, element_size);
 }
 
 #endif

@@ -52,6 +52,14 @@ char *string_format(const char *format, ...) {
     return string;
 }
 
+void string_append(char *string, size_t size, const char *format, ...) {
+    size_t length = strlen(string);
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(string + length, size - length, format, arguments);
+    va_end(arguments);
+}
+
 bool bytes_print(struct bytes *bytes, const char *format, ...) {
     va_list arguments;
     va_start(arguments, format);

@@ -41,4 +41,7 @@ static inline uint64_t load_u64(const unsigned char *bytes) {
 /* What printf would print, in memory that the caller frees; NULL when memory runs out. */
 char *string_format(const char *format, ...) PRINTF_LIKE(1, 2);
 
+/* Append it to a string in memory of `size` bytes; it is cut where that is full. */
+void string_append(char *string, size_t size, const char *format, ...) PRINTF_LIKE(3, 4);
+
 #endif

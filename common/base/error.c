@@ -49,15 +49,27 @@ void text_make_printable(char *text, char instead) {
     }
 }
 
-bool error_set(struct error *error, const char *format, ...) {
-    va_list arguments;
-    va_start(arguments, format);
+static void set(struct error *error, size_t line, const char *format, va_list arguments) {
     if (vsnprintf(error->message, sizeof error->message, format, arguments) < 0) {
         error->message[0] = '\0';
     }
-    va_end(arguments);
     text_make_printable(error->message, '?'); /* a file name may hold any byte */
-    error->line = 0;
+    error->line = line;
+}
+
+bool error_set(struct error *error, const char *format, ...) {
+    va_list arguments;
+    va_start(arguments, format);
+    set(error, 0, format, arguments);
+    va_end(arguments);
+    return false;
+}
+
+bool text_error(struct error *error, size_t line, const char *format, ...) {
+    va_list arguments;
+    va_start(arguments, format);
+    set(error, line, format, arguments);
+    va_end(arguments);
     return false;
 }
 

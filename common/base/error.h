@@ -30,6 +30,9 @@ void text_make_printable(char *text, char instead);
  * so that a failing function can end with `return error_set(error, ...)`. */
 bool error_set(struct error *error, const char *format, ...) PRINTF_LIKE(2, 3);
 
+/* The same of a text that was read, with the line that it is about. */
+bool text_error(struct error *error, size_t line, const char *format, ...) PRINTF_LIKE(3, 4);
+
 /* The message of every allocation that failed. Always returns false. */
 bool error_out_of_memory(struct error *error);
 

@@ -20,7 +20,9 @@
 #define rename(from, to)        windows_rename(from, to)
 #define unlink(path)            windows_unlink(path)
 #define mkdir(path, mode)       windows_mkdir(path)
-#define fchmod(file, mode)      ((void)(file), (void)(mode))
+#endif
+#if defined(_WIN32) || defined(__wasi__) /* a file has no permissions to keep */
+#define fchmod(file, mode) ((void)(file), (void)(mode))
 #endif
 
 enum {
@@ -175,15 +177,6 @@ static int create_temporary(const char *path, char *name, size_t name_size) {
     return -1;
 }
 
-static void set_permissions(int file, long mode) {
-#ifdef __wasi__ /* has no permissions: a replaced file gets those of any new file */
-    (void)file;
-    (void)mode;
-#else
-    (void)fchmod(file, (mode_t)mode); /* not every file system has permissions to keep */
-#endif
-}
-
 /* Write a new file next to `path` and rename it. `mode` holds the permissions of the file that is
  * replaced, or -1. */
 static bool write_and_rename(const char *path, long mode, const void *data, size_t size,
@@ -200,7 +193,7 @@ static bool write_and_rename(const char *path, long mode, const void *data, size
         goto end;
     }
     if (mode >= 0) {
-        set_permissions(file, mode);
+        (void)fchmod(file, (mode_t)mode); /* not every file system has permissions to keep */
     }
     if (!write_and_close(file, data, size) || rename(name, path) != 0) {
         error_from_system(error);

@@ -4,7 +4,6 @@
 #include <float.h>
 #include <inttypes.h>
 #include <math.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -26,19 +25,6 @@ struct shown_word word_show(struct word word) {
     memcpy(shown.text, word.start, length);
     memcpy(shown.text + length, "...", 3);
     return shown;
-}
-
-bool text_error(struct error *error, size_t line, const char *format, ...) {
-    char message[sizeof error->message];
-    va_list arguments;
-    va_start(arguments, format);
-    if (vsnprintf(message, sizeof message, format, arguments) < 0) {
-        message[0] = '\0';
-    }
-    va_end(arguments);
-    error_set(error, "%s", message);
-    error->line = line;
-    return false;
 }
 
 /* ---- UTF-16 ---- */

@@ -129,7 +129,4 @@ struct shown_word {
 };
 struct shown_word word_show(struct word word);
 
-/* Set a message as error_set() does, and the line that it is about. Always returns false. */
-bool text_error(struct error *error, size_t line, const char *format, ...) PRINTF_LIKE(3, 4);
-
 #endif

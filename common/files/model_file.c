@@ -117,7 +117,6 @@ static bool read_library(struct model *model, struct word name, bool *found, str
         free(directory);
         end = strrchr(path, '/');
         directory = string_format("%.*s", end == NULL ? 0 : (int)(end + 1 - path), path);
-        model->bytes_read += bytes.size;
         done = directory != NULL && make_utf8(&bytes) &&
                mtl_decode(model, bytes.data, bytes.size, directory, error);
     }
@@ -158,10 +157,8 @@ bool model_read_parts(struct model *model, const char *path, unsigned parts, str
     if (!file_read(path, &bytes, error)) {
         return false;
     }
-    size_t size = bytes.size;
     bool done = make_utf8(&bytes) ? decode(model, path, bytes.data, bytes.size, parts, error)
                                   : error_out_of_memory(error);
-    model->bytes_read = size;
     bytes_free(&bytes);
     done = done && keep_path(model, path, error);
     if (done && ((parts & (MODEL_UVS | MODEL_MATERIALS)) == 0 || read_libraries(model, error))) {
@@ -331,7 +328,6 @@ const struct texture *model_texture(struct model *model, enum model_texture_kind
     } else {
         done = kind == MODEL_NORMAL_MAP ? model_read_normal_map(texture, path, model->turns, error)
                                         : model_read_texture(texture, path, error);
-        model->bytes_read += done ? file_size(path) : 0;
     }
     free(path);
     return done ? texture : NULL;

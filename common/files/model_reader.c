@@ -314,9 +314,10 @@ static bool cut_polygon(struct model_reader *reader) {
     switch (polygon_cut(&reader->cutter, reader->places, size)) {
     case POLYGON_CUT:
         return true;
-    case POLYGON_TOO_INTRICATE:
+    case POLYGON_TOO_LARGE:
         return text_error(reader->error, reader->line,
-                          "face of %zu corners, too intricate to be cut into triangles", size);
+                          "face of %zu corners, but %d are the most where it is not convex", size,
+                          POLYGON_CORNER_LIMIT);
     default:
         return error_out_of_memory(reader->error);
     }

@@ -140,46 +140,14 @@ static void filter_row(const unsigned filter, const uint8_t *row, const uint8_t 
     }
 }
 
-/* Undo a filter. It and `step` are constants where this is called. */
-static inline void unfilter_bytes(const unsigned filter, uint8_t *restrict row,
-                                  const uint8_t *restrict above, size_t size, const size_t step) {
+/* Undo a filter, in place. */
+static void unfilter_row(const unsigned filter, uint8_t *restrict row,
+                         const uint8_t *restrict above, size_t size, const size_t step) {
     for (size_t i = 0; i < step && i < size; i++) {
         row[i] = (uint8_t)(row[i] + predict(filter, 0, above[i], 0));
     }
     for (size_t i = step; i < size; i++) {
         row[i] = (uint8_t)(row[i] + predict(filter, row[i - step], above[i], above[i - step]));
-    }
-}
-
-static inline void unfilter_row_of(unsigned filter, uint8_t *row, const uint8_t *above, size_t size,
-                                   const size_t step) {
-    switch (filter) {
-    case FILTER_SUB:
-        unfilter_bytes(FILTER_SUB, row, above, size, step);
-        break;
-    case FILTER_UP:
-        unfilter_bytes(FILTER_UP, row, above, size, step);
-        break;
-    case FILTER_AVERAGE:
-        unfilter_bytes(FILTER_AVERAGE, row, above, size, step);
-        break;
-    case FILTER_PAETH:
-        unfilter_bytes(FILTER_PAETH, row, above, size, step);
-        break;
-    }
-}
-
-/* In place. Compilers make a loop for each filter and each of the usual sizes of pixels. */
-static void unfilter_row(unsigned filter, uint8_t *row, const uint8_t *above, size_t size,
-                         size_t step) {
-    if (step == 1) {
-        unfilter_row_of(filter, row, above, size, 1);
-    } else if (step == 3) {
-        unfilter_row_of(filter, row, above, size, 3);
-    } else if (step == 4) {
-        unfilter_row_of(filter, row, above, size, 4);
-    } else {
-        unfilter_row_of(filter, row, above, size, step);
     }
 }
 

@@ -76,20 +76,13 @@ LANES_INLINE struct screen_positions project(const struct clip_positions *clip, 
 LANES_INLINE struct clip_positions transform(const struct draw_call *call, size_t at) {
     const struct model *model = call->model;
     const double(*m)[4] = call->to_clip.m;
-    const struct vec3 *positions = model->positions + at;
-    struct vec3 last_ones[TOGETHER];
+    const size_t last = model->position_count - 1;
     doubles x = {0}, y = {0}, z = {0};
-    if (model->position_count - at < TOGETHER) {
-        size_t last = model->position_count - 1;
-        for (size_t i = 0; i < TOGETHER; i++) {
-            last_ones[i] = model->positions[at + i < last ? at + i : last];
-        }
-        positions = last_ones;
-    }
     for (size_t i = 0; i < TOGETHER; i++) {
-        x[i] = positions[i].x;
-        y[i] = positions[i].y;
-        z[i] = positions[i].z;
+        const struct vec3 *position = &model->positions[at + i < last ? at + i : last];
+        x[i] = position->x;
+        y[i] = position->y;
+        z[i] = position->z;
     }
     return (struct clip_positions){
         .x = m[0][0] * x + m[0][1] * y + m[0][2] * z + m[0][3],

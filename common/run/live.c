@@ -2,7 +2,6 @@
 #define _POSIX_C_SOURCE 200809L
 #include "run/live.h"
 
-#include "base/bytes.h"
 #include "run/options.h"
 #include "run/stage.h"
 
@@ -39,9 +38,10 @@ static void describe_text(const struct program *program, FILE *out) {
 }
 
 void live_describe(const struct program *program, FILE *out) {
+    const struct options none = {.program = program};
     fprintf(out, "{\"program\":\"%s\",\"scenes\":[", program->name);
     for (size_t i = 0; i < program->scene_count; i++) {
-        const struct scene scene = scene_complete(program, &program->scenes[i]);
+        const struct scene scene = scene_complete(&none, &program->scenes[i]);
         fprintf(out, "%s{\"name\":\"%s\",\"width\":%zu,\"height\":%zu,\"frames\":%zu%s",
                 i > 0 ? "," : "", scene.name, scene.width, scene.height, scene.frames,
                 scene.extra ? ",\"extra\":true" : "");
@@ -97,86 +97,70 @@ void live_write_frame(const struct image *image, double milliseconds, const stru
 
 /* ---- Requests ---- */
 
-/* Append the next line, with its end. False at the end of the input. */
-static bool read_line(FILE *in, struct bytes *line, bool *memory) {
+/* Append the next line, with its end. False at the end of the input, or without `enough` memory. */
+static bool read_line(FILE *in, struct bytes *line, bool *enough) {
     char piece[4096];
     bool any = false, ended = false;
     while (!ended && fgets(piece, sizeof piece, in) != NULL) {
         size_t length = strlen(piece);
-        *memory = *memory && bytes_append(line, piece, length);
+        *enough = *enough && bytes_append(line, piece, length);
         ended = length > 0 && piece[length - 1] == '\n';
         any = true;
     }
-    return any && *memory;
+    return any && *enough;
 }
 
-enum { WORD_LIMIT = 256 }; /* of a request, far more than there are options */
-
-/* What is read of one request. */
-struct request_memory {
-    struct bytes line, text;
-    char *words[WORD_LIMIT];
-};
-
 /* Split the line into words behind the program's name. */
-static void split_line(struct live_request *request, struct request_memory *memory) {
-    char *save = NULL, *word = strtok_r((char *)memory->line.data, " \t\r\n", &save);
-    for (; word != NULL && request->argc < WORD_LIMIT; word = strtok_r(NULL, " \t\r\n", &save)) {
-        memory->words[request->argc++] = word;
+static void split_line(struct live_request *request) {
+    char *save = NULL, *word = strtok_r((char *)request->line.data, " \t\r\n", &save);
+    for (; word != NULL && request->argc < LIVE_WORD_LIMIT;
+         word = strtok_r(NULL, " \t\r\n", &save)) {
+        request->argv[request->argc++] = word;
     }
 }
 
 /* Read a text scene up to its end. */
-static bool read_text(FILE *in, struct request_memory *memory, bool *enough) {
-    for (size_t begin = 0; read_line(in, &memory->text, enough); begin = memory->text.size) {
-        const char *line = (const char *)memory->text.data + begin;
-        size_t length = memory->text.size - begin;
+static bool read_text(FILE *in, struct bytes *text, bool *enough) {
+    for (size_t begin = 0; read_line(in, text, enough); begin = text->size) {
+        const char *line = (const char *)text->data + begin;
+        size_t length = text->size - begin;
         if ((length == 4 && memcmp(line, "end\n", 4) == 0) ||
             (length == 3 && memcmp(line, "end", 3) == 0)) {
-            memory->text.size = begin;
+            text->size = begin;
             return true;
         }
     }
     return false;
 }
 
-/* The next request; false at the end of the input, or when there is not `enough` memory. */
-static bool read_request(FILE *in, const struct program *program, struct request_memory *memory,
-                         struct live_request *request, bool *enough) {
-    *request = (struct live_request){.argc = 1, .argv = memory->words};
-    memory->line.size = memory->text.size = 0;
-    bool read = read_line(in, &memory->line, enough);
-    *enough = *enough && bytes_append(&memory->line, "", 1);
+/* The next request; false at the end of the input, or without `enough` memory. */
+static bool read_request(FILE *in, struct live_request *request, bool *enough) {
+    request->line.size = request->text.size = 0;
+    request->argc = 1;
+    bool read = read_line(in, &request->line, enough);
+    *enough = *enough && bytes_append(&request->line, "", 1);
     if (!read || !*enough) {
         return false;
     }
-    memory->words[0] = (char *)(uintptr_t)program->name;
-    split_line(request, memory);
-    if (request->argc > 1 && strcmp(request->argv[request->argc - 1], "text") == 0) {
-        request->argc--;
-        if (!read_text(in, memory, enough)) {
-            return false;
-        }
-        request->text = (const char *)memory->text.data;
-        request->text_size = memory->text.size;
-    }
-    return true;
+    split_line(request);
+    request->has_text = request->argc > 1 && strcmp(request->argv[request->argc - 1], "text") == 0;
+    request->argc -= request->has_text;
+    return !request->has_text || read_text(in, &request->text, enough);
 }
 
 bool live_loop(const struct program *program, FILE *in, FILE *out, live_answer *answer,
                void *context, struct error *error) {
-    struct request_memory memory = {.words = {NULL}};
-    struct live_request request;
+    struct live_request request = {.argv = {(char *)(uintptr_t)program->name}};
     bool enough = true;
     live_describe(program, out);
-    while (read_request(in, program, &memory, &request, &enough) && !ferror(out)) {
+    while (read_request(in, &request, &enough) && !ferror(out)) {
         if (!answer(context, &request, out, error)) {
             fprintf(out, "error %s\n", error->message);
         }
         fflush(out);
     }
-    bytes_free(&memory.line);
-    bytes_free(&memory.text);
+    bytes_free(&request.line);
+    bytes_free(&request.text);
     if (!enough) {
         return error_out_of_memory(error);
     }

@@ -16,20 +16,23 @@
 #ifndef COMMON_LIVE_H
 #define COMMON_LIVE_H
 
+#include "base/bytes.h"
 #include "run/scene.h"
 
 #include <stdio.h>
 
+enum { LIVE_WORD_LIMIT = 256 }; /* of a request, far more than there are options */
+
 /* A request. It is gone when it has been answered. */
 struct live_request {
     int argc;
-    char **argv;      /* argv[0] is the program's name */
-    const char *text; /* the lines of a text scene; NULL: there are none */
-    size_t text_size;
+    char *argv[LIVE_WORD_LIMIT]; /* the first is the program's name */
+    struct bytes line, text;     /* what the others lie in; the lines of a text scene */
+    bool has_text;
 };
 
 /* What answers it: writes a frame by live_write_frame(), or returns false with a message. */
-typedef bool live_answer(void *context, const struct live_request *request, FILE *out,
+typedef bool live_answer(void *context, struct live_request *request, FILE *out,
                          struct error *error);
 
 /* Write the line of JSON: the program's scenes, with its defaults filled in. */

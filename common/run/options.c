@@ -3,40 +3,38 @@
 
 #include "base/text.h"
 
-#include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 
 enum { REPEAT_LIMIT = 1000000, HELP_COLUMN = 17 };
 
 /* Reads the value (NULL for an option without one) into the option's field. */
-typedef bool parse_function(const struct program *program, const char *value, void *field);
+typedef bool parse_function(const char *value, void *field);
 
 /* ---- What an option means ---- */
 
-static bool parse_switch(const struct program *program, const char *value, void *field) {
-    (void)program, (void)value;
+static bool parse_switch(const char *value, void *field) {
+    (void)value;
     *(bool *)field = true;
     return true;
 }
 
-static bool parse_path(const struct program *program, const char *value, void *field) {
-    (void)program;
+static bool parse_path(const char *value, void *field) {
     *(const char **)field = value;
     return value[0] != '\0';
 }
 
-static bool parse_format(const struct program *program, const char *value, void *field) {
+static bool parse_format(const char *value, void *field) {
     const struct image_file_format *format = image_file_format_find(value);
-    (void)program;
     *(const struct image_file_format **)field = format;
     return format != NULL;
 }
 
-static bool parse_scene(const struct program *program, const char *value, void *field) {
-    for (size_t i = 0; i < program->scene_count; i++) {
-        if (strcmp(program->scenes[i].name, value) == 0) {
-            *(const struct scene **)field = &program->scenes[i];
+static bool parse_scene(const char *value, void *field) {
+    struct options *options = field;
+    for (size_t i = 0; i < options->program->scene_count; i++) {
+        if (strcmp(options->program->scenes[i].name, value) == 0) {
+            options->only = &options->program->scenes[i];
             return true;
         }
     }
@@ -52,23 +50,20 @@ static bool parse_count(const char *text, size_t length, int64_t limit, size_t *
     return true;
 }
 
-static bool parse_repeat(const struct program *program, const char *value, void *field) {
-    (void)program;
+static bool parse_repeat(const char *value, void *field) {
     return parse_count(value, strlen(value), REPEAT_LIMIT, field);
 }
 
-static bool parse_size(const struct program *program, const char *value, void *field) {
+static bool parse_size(const char *value, void *field) {
     struct size_option *size = field;
     size_t before = strcspn(value, "x");
-    (void)program;
     return value[before] == 'x' && parse_count(value, before, DRAW_LIMIT, &size->width) &&
            parse_count(value + before + 1, strlen(value + before + 1), DRAW_LIMIT, &size->height);
 }
 
 /* Three finite numbers with commas between them. */
-static bool parse_vec3(const struct program *program, const char *value, void *field) {
+static bool parse_vec3(const char *value, void *field) {
     double number[3];
-    (void)program;
     for (int i = 0; i < 3; i++) {
         size_t length = strcspn(value, ",");
         if (!word_to_double((struct word){value, length}, &number[i]) || !isfinite(number[i]) ||
@@ -82,12 +77,12 @@ static bool parse_vec3(const struct program *program, const char *value, void *f
 }
 
 /* A pixel of an image, which may be smaller. */
-static bool parse_pixel(const struct program *program, const char *value, void *field) {
+static bool parse_pixel(const char *value, void *field) {
     struct pixel_option *pixel = field;
     struct vec3_option three;
     char text[64];
     snprintf(text, sizeof text, "%s,0", value);
-    bool done = parse_vec3(program, text, &three) && three.value.x >= 0 && three.value.y >= 0 &&
+    bool done = parse_vec3(text, &three) && three.value.x >= 0 && three.value.y >= 0 &&
                 three.value.x < DRAW_LIMIT && three.value.y < DRAW_LIMIT;
     if (done) {
         *pixel = (struct pixel_option){true, {(int)three.value.x, (int)three.value.y}};
@@ -111,9 +106,9 @@ static bool is_within(const struct scene_value *known, double value) {
 }
 
 /* Three whole numbers of quarter turns; four make none. */
-static bool parse_turns(const struct program *program, const char *value, void *field) {
+static bool parse_turns(const char *value, void *field) {
     struct vec3_option turns;
-    if (!parse_vec3(program, value, &turns)) {
+    if (!parse_vec3(value, &turns)) {
         return false;
     }
     const double quarters[3] = {turns.value.x, turns.value.y, turns.value.z};
@@ -126,8 +121,9 @@ static bool parse_turns(const struct program *program, const char *value, void *
 }
 
 /* NAME=VALUE: a number of a scene, within its range. */
-static bool parse_set(const struct program *program, const char *text, void *field) {
+static bool parse_set(const char *text, void *field) {
     struct options *options = field;
+    const struct program *program = options->program;
     struct chosen_value chosen = {.name = text, .length = strcspn(text, "=")};
     const char *number = text + chosen.length + (text[chosen.length] == '=');
     if (options->set_count == VALUE_LIMIT ||
@@ -143,9 +139,9 @@ static bool parse_set(const struct program *program, const char *text, void *fie
 }
 
 /* Light without a direction makes every picture black. */
-static bool parse_light(const struct program *program, const char *value, void *field) {
+static bool parse_light(const char *value, void *field) {
     struct vec3_option *light = field;
-    return parse_vec3(program, value, field) &&
+    return parse_vec3(value, field) &&
            (light->value.x != 0 || light->value.y != 0 || light->value.z != 0);
 }
 
@@ -158,16 +154,13 @@ _Static_assert(REPEAT_LIMIT == 1000000, "the largest of REPEATS");
 #define FORMATS ": " IMAGE_FILE_NAMES
 #define POINT   "three numbers X,Y,Z"
 
-/* What a program must have for an option to make sense. */
+/* What a program must have for an option to make sense: scenes that need it, or these. */
 enum condition {
-    ALWAYS = 1,
-    WITH_MODEL = 2,
-    WITH_TEXTURE = 4,
-    WITH_NORMAL_MAP = 8,
-    WITH_SPECULAR = 16,
-    WITH_CAMERA = 32,
-    WITH_LIGHT = 64,
-    WITH_VALUES = 128
+    ALWAYS = 1 << 8,
+    WITH_MODEL = 1 << 9,
+    WITH_CAMERA = 1 << 10,
+    WITH_LIGHT = 1 << 11,
+    WITH_VALUES = 1 << 12
 };
 
 #define FIELD(name) offsetof(struct options, name)
@@ -177,13 +170,13 @@ static const struct option {
     const char *value; /* as --help shows it; empty for an option without one */
     const char *wants; /* for messages */
     const char *help;
-    size_t field; /* offset in struct options */
+    size_t field; /* offset in struct options; 0: all of them */
     parse_function *parse;
-    enum condition condition;
+    unsigned condition; /* of enum condition or enum need */
 } options_known[] = {
     {"-o", "DIR", "a directory", "where the images go", FIELD(directory), parse_path, ALWAYS},
     {"-s", "WxH", "WxH" SIZES, "image size" SIZES, FIELD(size), parse_size, ALWAYS},
-    {"--only", "SCENE", "a scene", "draw just this scene", FIELD(only), parse_scene, ALWAYS},
+    {"--only", "SCENE", "a scene", "draw just this scene", 0, parse_scene, ALWAYS},
     {"--format", "F", "a format" FORMATS, "of the images" FORMATS, FIELD(format), parse_format,
      ALWAYS},
     {"--turn", "X,Y,Z", "three whole numbers X,Y,Z",
@@ -195,11 +188,11 @@ static const struct option {
     {"--details", "", "", "draw a model also where the course's own is seen from near",
      FIELD(details), parse_switch, WITH_MODEL},
     {"--texture", "FILE", "a file", "the colours, instead of those next to the model",
-     FIELD(textures[MODEL_DIFFUSE]), parse_path, WITH_TEXTURE},
+     FIELD(textures[MODEL_DIFFUSE]), parse_path, NEEDS_DIFFUSE},
     {"--normal-map", "FILE", "a file", "the normals, too", FIELD(textures[MODEL_NORMAL_MAP]),
-     parse_path, WITH_NORMAL_MAP},
+     parse_path, NEEDS_NORMAL_MAP},
     {"--specular", "FILE", "a file", "the shine, too", FIELD(textures[MODEL_SPECULAR]), parse_path,
-     WITH_SPECULAR},
+     NEEDS_SPECULAR},
     {"--eye", "X,Y,Z", POINT, "where the camera is", FIELD(eye), parse_vec3, WITH_CAMERA},
     {"--center", "X,Y,Z", POINT, "the point that it looks at", FIELD(center), parse_vec3,
      WITH_CAMERA},
@@ -229,24 +222,16 @@ static const struct option {
 enum { OPTIONS_KNOWN = sizeof options_known / sizeof options_known[0] };
 
 struct details {
-    char text[1024];
+    char text[1024]; /* cut where they are too many */
 };
-
-/* Append to the details, which are cut where they are too many. */
-static void PRINTF_LIKE(2, 3) add_detail(struct details *details, const char *format, ...) {
-    size_t length = strlen(details->text);
-    va_list arguments;
-    va_start(arguments, format);
-    vsnprintf(details->text + length, sizeof details->text - length, format, arguments);
-    va_end(arguments);
-}
 
 /* The numbers of a list: their scene, range and default. */
 static void add_values(struct details *details, const struct scene_value *value,
                        const char *scene) {
     for (; value != NULL && value->name != NULL; value++) {
-        add_detail(details, "%s %s of %s, %g to %g (%g)", details->text[0] == '\0' ? ":" : ";",
-                   value->name, scene, value->least, value->most, value->value);
+        string_append(details->text, sizeof details->text, "%s %s of %s, %g to %g (%g)",
+                      details->text[0] == '\0' ? ":" : ";", value->name, scene, value->least,
+                      value->most, value->value);
     }
 }
 
@@ -256,7 +241,8 @@ static struct details details_of(const struct option *option, const struct progr
     for (size_t i = 0; i < program->scene_count; i++) {
         const struct scene *scene = &program->scenes[i];
         if (option->parse == parse_scene) {
-            add_detail(&details, "%s %s", i == 0 ? ":" : ",", scene->name);
+            string_append(details.text, sizeof details.text, "%s %s", i == 0 ? ":" : ",",
+                          scene->name);
         } else if (option->parse == parse_set && (i == 0 || scene->values != scene[-1].values)) {
             add_values(&details, scene->values, scene->name);
         }
@@ -267,8 +253,7 @@ static struct details details_of(const struct option *option, const struct progr
     return details;
 }
 
-/* What one scene needs or another. */
-static unsigned needs_of(const struct program *program) {
+unsigned program_needs(const struct program *program) {
     unsigned needs = 0;
     for (size_t i = 0; i < program->scene_count; i++) {
         needs |= program->scenes[i].needs;
@@ -276,8 +261,9 @@ static unsigned needs_of(const struct program *program) {
     return needs;
 }
 
-bool program_takes_model(const struct program *program) {
-    return program->draw_text == NULL && (needs_of(program) & ~(unsigned)NEEDS_DEPTH) != 0;
+/* Does it draw a model, which the command line may then name? */
+static bool takes_model(const struct program *program) {
+    return program->draw_text == NULL && (program_needs(program) & ~(unsigned)NEEDS_DEPTH) != 0;
 }
 
 static bool takes_values(const struct program *program) {
@@ -289,11 +275,7 @@ static bool takes_values(const struct program *program) {
 }
 
 static bool takes_option(const struct program *program, const struct option *option) {
-    unsigned needs = needs_of(program);
-    unsigned has = ALWAYS | (program_takes_model(program) ? WITH_MODEL : 0) |
-                   ((needs & NEEDS_DIFFUSE) != 0 ? WITH_TEXTURE : 0) |
-                   ((needs & NEEDS_NORMAL_MAP) != 0 ? WITH_NORMAL_MAP : 0) |
-                   ((needs & NEEDS_SPECULAR) != 0 ? WITH_SPECULAR : 0) |
+    unsigned has = ALWAYS | program_needs(program) | (takes_model(program) ? WITH_MODEL : 0) |
                    (program->takes_camera ? WITH_CAMERA : 0) |
                    (program->takes_light ? WITH_LIGHT : 0) |
                    (takes_values(program) ? WITH_VALUES : 0);
@@ -312,28 +294,24 @@ static const struct option *find_option(const struct program *program, const cha
 
 /* ---- The command line ---- */
 
-static bool parse_input(struct options *options, const struct program *program, const char *input,
-                        struct error *error) {
-    bool takes_input = program->draw_text != NULL || program_takes_model(program);
+static bool parse_input(struct options *options, const char *input, struct error *error) {
+    const struct program *program = options->program;
+    bool takes_input = program->draw_text != NULL || takes_model(program);
     if (input[0] == '\0') {
         return error_set(error, "an empty name of a file; try --help");
     }
-    if (!takes_input || options->more_count == MODELS_LIMIT - 1 ||
-        (options->input != NULL && !program->takes_models)) {
+    if (!takes_input || options->input_count == (program->takes_models ? MODELS_LIMIT : 1)) {
         return error_set(error, "one argument too many: '%s'; try --help", input);
     }
-    if (options->input == NULL) {
-        options->input = input;
-    } else {
-        options->more[options->more_count++] = input;
-    }
+    options->input[options->input_count++] = input;
     return true;
 }
 
 /* An option and its value, which is NULL at the end of the command line. Sets `count` to how many
  * arguments these are. */
-static bool parse_option(struct options *options, const struct program *program, const char *name,
-                         const char *value, int *count, struct error *error) {
+static bool parse_option(struct options *options, const char *name, const char *value, int *count,
+                         struct error *error) {
+    const struct program *program = options->program;
     const struct option *option = find_option(program, name);
     if (option == NULL) {
         return error_set(error, "unknown option '%s'; try --help", name);
@@ -344,14 +322,14 @@ static bool parse_option(struct options *options, const struct program *program,
         return error_set(error, "%s wants %s%s", name, option->wants,
                          details_of(option, program).text);
     }
-    return option->parse(program, value, (char *)options + option->field) ||
+    return option->parse(value, (char *)options + option->field) ||
            error_set(error, "%s wants %s%s, not '%s'", name, option->wants,
                      details_of(option, program).text, value);
 }
 
 bool options_parse(struct options *options, const struct program *program, int argc, char **argv,
                    struct error *error) {
-    *options = (struct options){.format = &image_file_formats[0]};
+    *options = (struct options){.program = program, .format = &image_file_formats[0]};
     int count = 1;
     bool ended = false; /* by "--": what follows is no option, whatever it begins with */
     for (int i = 1; i < argc; i += count) {
@@ -362,12 +340,12 @@ bool options_parse(struct options *options, const struct program *program, int a
             ended = true;
             continue;
         }
-        if (is_input ? !parse_input(options, program, argv[i], error)
-                     : !parse_option(options, program, argv[i], value, &count, error)) {
+        if (is_input ? !parse_input(options, argv[i], error)
+                     : !parse_option(options, argv[i], value, &count, error)) {
             return false;
         }
     }
-    if (options->only != NULL && program->draw_text != NULL && options->input != NULL) {
+    if (options->only != NULL && program->draw_text != NULL && options->input_count > 0) {
         return error_set(error, "--only and a text scene do not go together");
     }
     return true;
@@ -375,11 +353,9 @@ bool options_parse(struct options *options, const struct program *program, int a
 
 /* ---- Help ---- */
 
-void options_print_help(const struct program *program, const char *directory,
-                        const char *default_model) {
-    bool takes_model = program_takes_model(program);
+void options_print_help(const struct program *program) {
     const char *input = program->draw_text != NULL ? " [scene.txt]"
-                        : takes_model              ? " [model.obj | model.off]"
+                        : takes_model(program)     ? " [model.obj | model.off]"
                                                    : "";
     printf("%s: %s\n\n", program->name, program->summary);
     printf("usage: %s [options]%s%s\n\n", program->name, input, program->takes_models ? "..." : "");
@@ -391,10 +367,10 @@ void options_print_help(const struct program *program, const char *directory,
                    details_of(option, program).text);
         }
     }
-    printf("\nWithout -o the images go to %s/%s\n", directory, program->name);
+    printf("\nWithout -o the images go to %s/%s\n", OUTPUT_DIRECTORY, program->name);
     if (program->draw_text != NULL) {
         printf("A text scene draws what its lines say; '-' reads standard input.\n");
-    } else if (takes_model) {
-        printf("Without a model: %s\n", default_model);
+    } else if (takes_model(program)) {
+        printf("Without a model: %s/%s\n", MODELS_DIRECTORY, DEFAULT_MODEL);
     }
 }

@@ -10,6 +10,14 @@
 #include "files/image_file.h"
 #include "run/scene.h"
 
+/* The Makefile tells where it builds, so that a step runs from any working directory. */
+#ifndef COURSE_BUILD
+#define COURSE_BUILD "build"
+#endif
+#define OUTPUT_DIRECTORY COURSE_BUILD "/out"
+#define MODELS_DIRECTORY COURSE_BUILD "/models"
+#define DEFAULT_MODEL    "bust.obj" /* for scenes that name none */
+
 /* NAME=VALUE of a --set. */
 struct chosen_value {
     const char *name; /* of `length` bytes */
@@ -36,9 +44,9 @@ struct pixel_option {
 };
 
 struct options {
-    const char *input;                  /* model or text scene; NULL where none was named */
-    const char *more[MODELS_LIMIT - 1]; /* models behind it */
-    size_t more_count;
+    const struct program *program;
+    const char *input[MODELS_LIMIT]; /* models, or a text scene; NULL behind the last */
+    size_t input_count;
     const char *directory;    /* NULL for the default */
     const struct scene *only; /* NULL for all scenes */
     struct size_option size;
@@ -54,16 +62,14 @@ struct options {
     bool fit, two_sided, details, stats, no_skip, live, help;
 };
 
-/* Does the program draw a model, which the command line may then name? */
-bool program_takes_model(const struct program *program);
+/* What one scene needs or another. */
+unsigned program_needs(const struct program *program);
 
 /* Read the command line; "--" ends the options. False, with a message, where it is wrong. */
 bool options_parse(struct options *options, const struct program *program, int argc, char **argv,
                    struct error *error);
 
-/* Print what --help says. Without -o images go to a directory of the program's name in
- * `directory`. */
-void options_print_help(const struct program *program, const char *directory,
-                        const char *default_model);
+/* Print what --help says. */
+void options_print_help(const struct program *program);
 
 #endif

@@ -2,7 +2,6 @@
 #include "run/parts.h"
 
 #include "base/array.h"
-#include "base/file.h"
 #include "files/model_file.h"
 
 #include <math.h>
@@ -152,7 +151,6 @@ static bool find_picture(struct parts *parts, const char *path, const float tint
         }
     }
     bool is_read = path != NULL ? read_picture(&picture, turns, why) : make_color(&picture, why);
-    parts->bytes_read += path != NULL && is_read ? file_size(path) : 0;
     if (picture.texture.space_guessed) {
         error_set(why, "blue, so it is read as a normal map in tangent space");
         error_name_file(why, path);

@@ -22,7 +22,6 @@ struct parts {
     size_t count;
     struct picture *pictures; /* each file is read once for each tint */
     size_t picture_count;
-    uint64_t bytes_read;
     bool with_normal_maps; /* set it before parts_make(), which otherwise reads none */
     bool two_sided;        /* likewise: every face is in the model twice */
     struct error note;     /* of the first normal map that was not read, or else was guessed */

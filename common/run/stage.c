@@ -13,15 +13,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The Makefile tells where it builds, so that a step runs from any working directory. */
-#ifndef COURSE_BUILD
-#define COURSE_BUILD "build"
-#endif
-#define MODELS_DIRECTORY COURSE_BUILD "/models"
-#define DEFAULT_MODEL    "bust.obj"
-
-const char *const default_model_path = MODELS_DIRECTORY "/" DEFAULT_MODEL;
-
 /* ---- Counting ---- */
 
 void drawing_count(struct drawing *drawing, const char *name, uint64_t amount) {
@@ -38,15 +29,12 @@ void drawing_count(struct drawing *drawing, const char *name, uint64_t amount) {
 }
 
 void drawing_note(struct drawing *drawing, const char *format, ...) {
-    size_t length = strlen(drawing->notes);
+    char line[sizeof drawing->notes];
     va_list arguments;
     va_start(arguments, format);
-    vsnprintf(drawing->notes + length, sizeof drawing->notes - length, format, arguments);
+    vsnprintf(line, sizeof line, format, arguments);
     va_end(arguments);
-    length = strlen(drawing->notes);
-    if (length + 1 < sizeof drawing->notes) {
-        drawing->notes[length] = '\n';
-    }
+    string_append(drawing->notes, sizeof drawing->notes, "%s\n", line);
 }
 
 /* ---- Parts ---- */
@@ -102,26 +90,28 @@ static void set_values(struct drawing *drawing, const struct scene *scene, const
 
 /* ---- Scenes: what they leave at zero is the program's ---- */
 
-static bool is_zero(struct vec3 v) {
-    return v.x == 0 && v.y == 0 && v.z == 0;
+static size_t first_of(size_t option, size_t given, size_t otherwise) {
+    return option > 0 ? option : given > 0 ? given : otherwise;
 }
 
-static struct vec3 vec3_or(struct vec3 value, struct vec3 otherwise) {
-    return is_zero(value) ? otherwise : value;
+static struct vec3 first_vec3_of(struct vec3_option option, struct vec3 given,
+                                 struct vec3 otherwise) {
+    bool is_zero = given.x == 0 && given.y == 0 && given.z == 0;
+    return option.given ? option.value : is_zero ? otherwise : given;
 }
 
-struct scene scene_complete(const struct program *program, const struct scene *given) {
-    const struct scene *defaults = &program->defaults;
+struct scene scene_complete(const struct options *options, const struct scene *given) {
+    const struct scene *defaults = &options->program->defaults;
     struct scene scene = *given;
     scene.model = given->model != NULL ? given->model : DEFAULT_MODEL;
-    scene.width = given->width > 0 ? given->width : defaults->width;
-    scene.height = given->height > 0 ? given->height : defaults->height;
+    scene.width = first_of(options->size.width, given->width, defaults->width);
+    scene.height = first_of(options->size.height, given->height, defaults->height);
     scene.format = given->format != 0 ? given->format : IMAGE_BGR;
     scene.frames = given->frames > 0 ? given->frames : 1;
-    scene.eye = vec3_or(given->eye, defaults->eye);
-    scene.center = vec3_or(given->center, defaults->center);
-    scene.up = vec3_or(given->up, defaults->up);
-    scene.light = vec3_or(given->light, defaults->light);
+    scene.eye = first_vec3_of(options->eye, given->eye, defaults->eye);
+    scene.center = first_vec3_of(options->center, given->center, defaults->center);
+    scene.up = first_vec3_of(options->up, given->up, defaults->up);
+    scene.light = first_vec3_of(options->light, given->light, defaults->light);
     return scene;
 }
 
@@ -129,11 +119,9 @@ struct scene scene_complete(const struct program *program, const struct scene *g
 
 struct loaded run_loaded(const struct run *run) {
     struct loaded loaded = run->unloaded;
-    loaded.bytes += run->model.bytes_read;
-    loaded.bytes += run->parts.bytes_read;
-    loaded.textures_present += model_textures_present(&run->model);
+    loaded.textures_present += model_textures_present(run->model);
     for (int kind = 0; kind < MODEL_TEXTURE_KINDS; kind++) {
-        loaded.textures_read += run->model.textures[kind].level_count > 0;
+        loaded.textures_read += run->model->textures[kind].level_count > 0;
     }
     for (size_t i = 0; i < run->parts.picture_count; i++) {
         const struct picture *picture = &run->parts.pictures[i];
@@ -145,9 +133,8 @@ struct loaded run_loaded(const struct run *run) {
 }
 
 static void free_models(struct run *run) {
-    model_free(&run->model);
-    for (size_t i = 0; i < MODELS_LIMIT - 1; i++) {
-        model_free(&run->others[i]);
+    for (size_t i = 0; i < MODELS_LIMIT; i++) {
+        model_free(&run->model[i]);
     }
 }
 
@@ -155,7 +142,6 @@ static void unload_model(struct run *run) {
     run->unloaded = run_loaded(run);
     free_models(run);
     run->model_file = NULL;
-    run->is_noted = false;
     parts_free(&run->parts);
     for (int kind = 0; kind < MODEL_TEXTURE_KINDS; kind++) {
         run->is_replaced[kind] = false;
@@ -175,24 +161,40 @@ static unsigned needed_parts(unsigned needs) {
 /* Turn it, show its faces from both sides, fit it into view, as the options say. */
 static bool place_model(const struct run *run, struct model *model, bool need_normals,
                         struct error *error) {
-    const int *turns = run->options->turns;
+    const struct options *options = &run->options;
+    const int *turns = options->turns;
     if (turns[0] != 0 || turns[1] != 0 || turns[2] != 0) {
         model_turn(model, turns);
     }
-    if (run->options->two_sided && !model_add_other_sides(model, need_normals, error)) {
+    if (options->two_sided && !model_add_other_sides(model, need_normals, error)) {
         return false;
     }
-    if (run->options->fit) {
-        model_fit(model, run->program->takes_camera);
+    if (options->fit) {
+        model_fit(model, options->program->takes_camera);
     }
     return true;
 }
 
-/* The model of the command line or else the scene's, unless it is loaded already. */
-static bool load_model(struct run *run, const struct scene *scene, struct error *error) {
-    const char *file = run->input != NULL ? run->input : scene->model;
+/* One of the course's own. */
+static bool read_own_model(struct model *model, const char *file, unsigned parts,
+                           struct error *error) {
+    char *path = string_format("%s/%s", MODELS_DIRECTORY, file);
+    if (path == NULL) {
+        return error_out_of_memory(error);
+    }
+    bool done = file_exists(path) ? model_read_parts(model, path, parts, error)
+                                  : error_set(error, "%s: no such file; `make` sculpts it", path);
+    free(path);
+    return done;
+}
+
+/* The models of the command line or else the scene's, unless they are loaded already. */
+static bool load_models(struct run *run, const struct scene *scene, struct error *error) {
+    const struct options *options = &run->options;
+    const bool is_own = options->input_count == 0;
+    const char *file = is_own ? scene->model : options->input[0];
     unsigned needs = run->needs | scene->needs;
-    if (run->input != NULL && (needs & NEEDS_NORMAL_MAP) != 0) {
+    if (!is_own && (needs & NEEDS_NORMAL_MAP) != 0) {
         needs |= NEEDS_NORMALS; /* it may have no map, and then it is drawn by these */
     }
     unsigned parts = needed_parts(needs);
@@ -202,25 +204,17 @@ static bool load_model(struct run *run, const struct scene *scene, struct error 
     }
     unload_model(run);
     run->model_parts = parts;
-    char *path = run->input != NULL ? string_format("%s", file)
-                                    : string_format("%s/%s", MODELS_DIRECTORY, file);
-    if (path == NULL) {
-        return error_out_of_memory(error);
+    run->model_count = is_own ? 1 : options->input_count;
+    bool done = !is_own || read_own_model(run->model, file, parts, error);
+    for (size_t i = 0; done && i < options->input_count; i++) {
+        done = model_read_parts(&run->model[i], options->input[i], parts, error);
     }
-    bool done = run->input != NULL || file_exists(path)
-                    ? model_read_parts(&run->model, path, parts, error)
-                    : error_set(error, "%s: no such file; `make` sculpts it", path);
-    free(path);
-    memcpy(run->model.texture_files, run->options->textures, sizeof run->options->textures);
-    run->has_materials = (needs & NEEDS_DIFFUSE) != 0 &&
-                         run->options->textures[MODEL_DIFFUSE] == NULL &&
-                         model_has_materials(&run->model);
-    done = done && (!run->has_materials || parts_move_coordinates(&run->model, error));
-    bool need_normals = (parts & MODEL_NORMALS) != 0;
-    done = done && place_model(run, &run->model, need_normals, error);
-    for (size_t i = 0; done && i < run->options->more_count; i++) {
-        done = model_read_parts(&run->others[i], run->options->more[i], parts, error) &&
-               place_model(run, &run->others[i], need_normals, error);
+    memcpy(run->model->texture_files, options->textures, sizeof options->textures);
+    run->has_materials = (needs & NEEDS_DIFFUSE) != 0 && options->textures[MODEL_DIFFUSE] == NULL &&
+                         model_has_materials(run->model);
+    done = done && (!run->has_materials || parts_move_coordinates(run->model, error));
+    for (size_t i = 0; done && i < run->model_count; i++) {
+        done = place_model(run, &run->model[i], (parts & MODEL_NORMALS) != 0, error);
     }
     run->model_file = done ? file : NULL;
     return done;
@@ -239,7 +233,7 @@ static bool replace_texture(struct run *run, enum model_texture_kind kind,
                             const struct texture **texture, struct error *error) {
     if (kind == MODEL_NORMAL_MAP) {
         *texture = NULL;
-        return model_need_normals(&run->model, error);
+        return model_need_normals(run->model, error);
     }
     struct texture *instead = kind == MODEL_DIFFUSE ? &run->white : &run->shiny;
     *texture = instead;
@@ -256,37 +250,31 @@ static const struct {
     [MODEL_SPECULAR] = {NEEDS_SPECULAR, "the same shine everywhere", "--specular"},
 };
 
-/* Add to a list in a text of 200 bytes. */
-static void list_add(char *list, const char *entry) {
-    size_t length = strlen(list);
-    snprintf(list + length, 200 - length, "%s%s", length > 0 ? ", " : "", entry);
-}
-
 /* Say in one message which of the textures that the scenes need are not there. */
 static bool note_missing(struct run *run, unsigned needs, struct error *error) {
     char names[200] = "", instead[200] = "", options[200] = "";
     struct error *note = NULL;
     for (int kind = 0; kind < MODEL_TEXTURE_KINDS; kind++) {
         bool found;
-        char *path = model_find_texture(&run->model, (enum model_texture_kind)kind, &found);
+        char *path = model_find_texture(run->model, (enum model_texture_kind)kind, &found);
         if (path == NULL) {
             return error_out_of_memory(error);
         }
         if (!found && (needs & replacements[kind].need) != 0 && !run->is_replaced[kind]) {
-            const char *slash = strrchr(path, '/');
-            list_add(names, slash == NULL ? path : slash + 1);
-            list_add(instead, replacements[kind].instead);
-            list_add(options, replacements[kind].option);
+            const char *slash = strrchr(path, '/'), *comma = note == NULL ? "" : ", ";
+            string_append(names, sizeof names, "%s%s", comma, slash == NULL ? path : slash + 1);
+            string_append(instead, sizeof instead, "%s%s", comma, replacements[kind].instead);
+            string_append(options, sizeof options, "%s%s", comma, replacements[kind].option);
             note = note == NULL ? &run->replaced[kind] : note;
             run->is_replaced[kind] = true;
         }
         free(path);
     }
     if (note != NULL) {
-        size_t *unsaid = &run->model.warning_line[MODEL_MATERIALS_MISSING];
+        size_t *unsaid = &run->model->warning_line[MODEL_MATERIALS_MISSING];
         error_set(note, "no %s%s next to it, nor other usual names; %s instead (%s)",
                   *unsaid > 0 ? "file of materials, " : "", names, instead, options);
-        error_name_input(note, run->model.path);
+        error_name_input(note, run->model->path);
         *unsaid = 0;
     }
     return true;
@@ -299,34 +287,34 @@ static bool load_texture(struct run *run, unsigned needs, enum model_texture_kin
     if ((needs & replacements[kind].need) == 0) {
         return true;
     }
-    if (run->model.uv_count == 0 && run->options->textures[kind] != NULL) {
+    if (run->model->uv_count == 0 && run->options.textures[kind] != NULL) {
         error_set(error, "has no texture coordinates, without which %s cannot be drawn",
-                  run->options->textures[kind]);
-        return error_name_input(error, run->model.path);
+                  run->options.textures[kind]);
+        return error_name_input(error, run->model->path);
     }
     if (run->has_materials && kind == MODEL_DIFFUSE) {
         return true; /* take_parts() gives it */
     }
-    bool has_places = run->model.uv_count > 0;
+    bool has_places = run->model->uv_count > 0;
     if (has_places && !run->has_materials && !note_missing(run, needs | run->needs, error)) {
         return false;
     }
     bool found = true;
     if (has_places && run->has_materials) { /* what they do not name is no loss */
-        free(model_find_texture(&run->model, kind, &found));
+        free(model_find_texture(run->model, kind, &found));
     }
     if (!has_places || !found || run->is_replaced[kind]) {
         return replace_texture(run, kind, texture, error);
     }
-    *texture = model_texture(&run->model, kind, error);
-    bool *guessed = &run->model.textures[kind].space_guessed;
+    *texture = model_texture(run->model, kind, error);
+    bool *guessed = &run->model->textures[kind].space_guessed;
     if (*guessed) {
         error_set(&run->replaced[kind], "the normal map is blue, so it is read as one in tangent "
                                         "space, as if its name ended in _tangent");
-        error_name_input(&run->replaced[kind], run->model.path);
+        error_name_input(&run->replaced[kind], run->model->path);
         *guessed = false; /* it is said */
     }
-    if (*texture != NULL || run->options->textures[kind] != NULL) {
+    if (*texture != NULL || run->options.textures[kind] != NULL) {
         return *texture != NULL;
     }
     error_set(&run->replaced[kind], "%s; %s instead (%s)", error->message,
@@ -342,26 +330,22 @@ bool scene_needs_model(const struct scene *scene) {
 /* The parts of a model with materials. */
 static bool take_parts(struct run *run, unsigned needs, struct drawing *drawing,
                        struct error *error) {
-    struct error missing = {0};
+    const struct options *options = &run->options;
     if (!run->has_materials) {
-        drawing->repeats = run->model.uv_count == 0
+        drawing->repeats = run->model->uv_count == 0
                                ? 1
-                               : parts_repeats(&run->model, &run->model, run->options->two_sided);
+                               : parts_repeats(run->model, run->model, options->two_sided);
         return true;
     }
-    run->parts.two_sided = run->options->two_sided;
+    run->parts.two_sided = options->two_sided;
     run->parts.with_normal_maps =
-        (needs & NEEDS_NORMAL_MAP) != 0 && run->options->textures[MODEL_NORMAL_MAP] == NULL;
-    if (!parts_make(&run->parts, &run->model, &missing, error)) {
+        (needs & NEEDS_NORMAL_MAP) != 0 && options->textures[MODEL_NORMAL_MAP] == NULL;
+    if (!parts_make(&run->parts, run->model, &run->replaced[MODEL_DIFFUSE], error)) {
         return false;
     }
-    if (missing.message[0] != '\0' && !run->is_replaced[MODEL_DIFFUSE]) {
-        run->replaced[MODEL_DIFFUSE] = missing;
-        run->is_replaced[MODEL_DIFFUSE] = true;
-    }
-    if (run->parts.note.message[0] != '\0' && !run->is_noted) {
+    if (run->parts.note.message[0] != '\0') {
         run->replaced[MODEL_NORMAL_MAP] = run->parts.note;
-        run->is_noted = true;
+        run->parts.note.message[0] = '\0';
     }
     drawing->parts = run->parts.part;
     drawing->part_count = run->parts.count;
@@ -378,19 +362,18 @@ static bool load_needs(struct run *run, const struct scene *scene, struct drawin
     if (!scene_needs_model(scene)) {
         return true;
     }
-    if (!load_model(run, scene, error)) {
+    if (!load_models(run, scene, error)) {
         return false;
     }
-    drawing->model = drawing->models[0] = &run->model;
-    drawing->model_count = 1 + run->options->more_count;
-    for (size_t i = 0; i < run->options->more_count; i++) {
-        drawing->models[i + 1] = &run->others[i];
-        if ((needs & NEEDS_NORMALS) != 0 && !model_need_normals(&run->others[i], error)) {
+    drawing->model = run->model;
+    drawing->model_count = run->model_count;
+    for (size_t i = 0; i < run->model_count; i++) {
+        drawing->models[i] = &run->model[i];
+        if ((needs & NEEDS_NORMALS) != 0 && !model_need_normals(&run->model[i], error)) {
             return false;
         }
     }
-    return ((needs & NEEDS_NORMALS) == 0 || model_need_normals(&run->model, error)) &&
-           ((needs & NEEDS_COLORS) == 0 || model_need_colors(&run->model, error)) &&
+    return ((needs & NEEDS_COLORS) == 0 || model_need_colors(run->model, error)) &&
            load_texture(run, needs, MODEL_DIFFUSE, &drawing->diffuse, error) &&
            load_texture(run, needs, MODEL_NORMAL_MAP, &drawing->normal_map, error) &&
            load_texture(run, needs, MODEL_SPECULAR, &drawing->specular, error) &&
@@ -420,8 +403,9 @@ static bool allocate(struct stage *stage, size_t width, size_t height, struct er
 
 bool stage_begin(struct stage *stage, struct run *run, const struct scene *scene, size_t width,
                  size_t height, struct error *error) {
+    const struct program *program = run->options.program;
     *stage = (struct stage){
-        .program = run->program,
+        .program = program,
         .scene = *scene,
         .drawing = {.text = run->text,
                     .eye = scene->eye,
@@ -440,8 +424,7 @@ bool stage_begin(struct stage *stage, struct run *run, const struct scene *scene
         return false;
     }
     stage->prepared = true;
-    return run->program->prepare == NULL ||
-           run->program->prepare(&stage->drawing, width, height, error);
+    return program->prepare == NULL || program->prepare(&stage->drawing, width, height, error);
 }
 
 bool stage_draw(struct stage *stage, struct image *image, size_t frame, struct error *error) {

@@ -1,7 +1,6 @@
 /*
- * A scene on its stage: everything it needs is loaded, and it can be drawn again and again.
- *
- * Private to program.c and to the tests that draw scenes without a command line.
+ * A scene on its stage: everything it needs is loaded, and it can be drawn again and again. Private
+ * to program.c and live.c.
  */
 #ifndef COMMON_STAGE_H
 #define COMMON_STAGE_H
@@ -12,31 +11,31 @@
 
 /* What was read, for --stats. */
 struct loaded {
-    uint64_t bytes, textures_read, textures_present;
+    uint64_t textures_read, textures_present;
 };
 
 /* What the scenes of one run share. Set the first part, leave the second zero. */
 struct run {
-    const struct program *program;
-    const struct options *options; /* of the command line, which say how a model is placed */
-    const struct options *asked;   /* the same, or the options of a request of --live */
-    const char *input;             /* a model instead of the course's own; NULL: none */
+    struct options options;        /* of the command line, which say how a model is placed */
+    struct options request;        /* of --live: the one that is answered */
+    const struct options *asked;   /* which of both a scene is drawn with */
     const struct text_scene *text; /* NULL unless it is a text scene */
     unsigned needs; /* of all scenes that will be drawn, so that a model is read once; 0: unknown */
 
-    struct model model;                    /* loaded when the first scene needs it */
-    struct model others[MODELS_LIMIT - 1]; /* with it */
-    const char *model_file;                /* which file it is; NULL while none is loaded */
-    unsigned model_parts;                  /* what of it is loaded, of enum model_part */
-    struct loaded unloaded;                /* of models that made room for others */
-    bool has_materials;                    /* the model has, and is drawn by them, part for part */
-    struct parts parts;                    /* as the last scene had them */
+    struct model model[MODELS_LIMIT]; /* loaded when the first scene needs them */
+    size_t model_count;
+    const char *model_file;      /* which file the first is; NULL while none is loaded */
+    unsigned model_parts;        /* what of it is loaded, of enum model_part */
+    struct loaded unloaded;      /* of models that made room for others */
+    bool has_materials;          /* the model has, and is drawn by them, part for part */
+    struct parts parts;          /* as the last scene had them */
     struct texture white, shiny; /* of one texel, for a model without textures; empty at first */
     /* Textures that the model has not, or that cannot be read: why, and what is drawn instead. The
      * message is empty once it is said. */
     struct error replaced[MODEL_TEXTURE_KINDS];
     bool is_replaced[MODEL_TEXTURE_KINDS];
-    bool is_noted; /* what parts.note says */
+    bool fit_suggested; /* the model was looked at, whether --fit would help */
+    const char *advice; /* the last one where nothing was drawn; NULL: none yet */
 };
 
 /* What was read up to now. */
@@ -45,11 +44,8 @@ struct loaded run_loaded(const struct run *run);
 /* Free what was loaded. */
 void run_free(struct run *run);
 
-/* The course's own model for scenes that name none. */
-extern const char *const default_model_path;
-
-/* The scene with the program's defaults filled in. */
-struct scene scene_complete(const struct program *program, const struct scene *scene);
+/* The scene of the options' program with what they say, then its own values, then the program's. */
+struct scene scene_complete(const struct options *options, const struct scene *scene);
 
 /* Is the scene drawn from a model? */
 bool scene_needs_model(const struct scene *scene);

@@ -23,7 +23,6 @@
  */
 #define _POSIX_C_SOURCE 200809L
 
-#include "arguments.h"
 #include "base/file.h"
 #include "build.h"
 #include "drawn.h"
@@ -87,8 +86,9 @@ static bool export_all(const struct options *options, const struct check_result 
         const char *path;
         export_function *write;
     } exports[] = {
-        {options->junit, export_junit}, {options->json, export_json}, {options->tap, export_tap},
-        {options->html, export_html},   {options->csv, export_csv},
+        {options->junit, export_junit},
+        {options->json, export_json},
+        {options->html, export_html},
     };
     bool done = true;
     for (size_t i = 0; i < sizeof exports / sizeof exports[0]; i++) {
@@ -151,12 +151,11 @@ int main(int argc, char **argv) {
     if (!run_open_standard_files()) {
         return EXIT_CANNOT_WORK;
     }
-    if (arguments_want_help(argc, argv)) {
-        options_help();
-        return EXIT_ALL_PASSED;
-    }
     if (options_read(&options, argc, argv, &error) < 0) {
         return usage_error(error.message);
+    }
+    if (options.help) {
+        return EXIT_ALL_PASSED;
     }
     if (chdir(options.root) != 0) {
         fprintf(stderr, "check: %s: %s\n", options.root, strerror(errno));

@@ -1,6 +1,6 @@
 ##   make check                  compare the pictures with tests/reference
-##   make check STEP=05          the same for one lesson (REPORT=file writes file.html, and .xml,
-##                               .json and .tap for other programs)
+##   make check STEP=05          the same for one lesson (REPORT=file writes file.html, and .xml
+##                               and .json for other programs)
 ##   make check STEP=05 SANITIZE=1   the same, and in which line a program goes wrong
 
 # The parts of the check; the files with a main() are not among them.
@@ -25,8 +25,7 @@ check: $(BUILD)/check models $(HIDDEN:%=$(BUILD)/hidden) $(if $(MAKE_TERMOUT),$(
 	                CHECK_TIMEOUT=$${CHECK_TIMEOUT:-60}) \
 	$(BUILD)/check --programs $(CHECKED) --differences $(CHECKED)/differences --make '$(MAKE) -s' \
 	    $(if $(SANITIZE),--sanitized) \
-	    $(if $(REPORT),--junit $(REPORT).xml --json $(REPORT).json --tap $(REPORT).tap \
-	                   --html $(REPORT).html) \
+	    $(if $(REPORT),--junit $(REPORT).xml --json $(REPORT).json --html $(REPORT).html) \
 	    $(KEEP_POINTS) $(STEP) $(THEN_HIDDEN)
 
 $(STEPS:%=$(BUILD)/sanitized/%): $(BUILD)/sanitized/%: %/main.c $(BUILD)/%.text \

@@ -141,13 +141,6 @@ bool image_is_blank(const struct image *image) {
     return true;
 }
 
-static void put(struct image *picture, size_t x, size_t y, struct color color) {
-    uint8_t *p = picture->pixels + (y * picture->width + x) * 3;
-    p[0] = color.b;
-    p[1] = color.g;
-    p[2] = color.r;
-}
-
 /* What must be among its marks for a pixel to count as wrong. */
 static unsigned marks_of(enum compare_pixels wrong) {
     static const unsigned marks[] = {
@@ -179,7 +172,7 @@ static bool cut_to_size(struct image *cut, const struct image *image, size_t wid
     }
     for (size_t y = 0; y < height && y < image->height; y++) {
         for (size_t x = 0; x < width && x < image->width; x++) {
-            put(cut, x, y, pixel_at(image, x, y));
+            image_set(cut, (int)x, (int)y, pixel_at(image, x, y));
         }
     }
     return true;
@@ -197,9 +190,9 @@ bool compare_difference(struct image *difference, const struct image *reference,
     }
     for (size_t y = 0; y < height; y++) {
         for (size_t x = 0; x < width; x++) {
-            put(difference, x, y,
-                mark_color(mark_pixel(reference, &cut, x, y), wrong, pixel_at(reference, x, y),
-                           pixel_at(&cut, x, y)));
+            image_set(difference, (int)x, (int)y,
+                      mark_color(mark_pixel(reference, &cut, x, y), wrong,
+                                 pixel_at(reference, x, y), pixel_at(&cut, x, y)));
         }
     }
     image_free(&cut);

@@ -1,6 +1,5 @@
 /*
- * What a check has found, as files for other programs and for people: JUnit XML, JSON, TAP, CSV,
- * HTML.
+ * What a check has found, as files for other programs and for people: JUnit XML, JSON, HTML.
  *
  * All are written from one result. FAIL is a failure; BUILD, CRASH, TIME and ERROR are errors; TODO
  * is skipped, with 0 points.
@@ -13,9 +12,6 @@
 /* Append the report; false, with a message, when memory runs out or a picture cannot be read. */
 typedef bool export_function(struct bytes *report, const struct check_result *result,
                              struct error *error);
-export_function export_junit, export_json, export_tap, export_html;
-
-/* A line a task: step,task,state,points,most; and a first line that says so. */
-export_function export_csv;
+export_function export_junit, export_json, export_html;
 
 #endif

@@ -3,7 +3,6 @@
 #include "check/page/page.h"
 #include "check/page/pictures.h"
 #include "export.h"
-#include "looks.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -72,24 +71,11 @@ static char *note_of(const struct item_result *item) {
 static bool read_pictures(struct pictures *pictures, const struct step_result *step,
                           const struct item_result *item, const char *references,
                           struct error *error) {
-    char *reference = item->reference.text[0] != '\0'
-                          ? string_format("%s", item->reference.text)
-                          : string_format("%s/%s/%s.png", references, step->name, item->scene);
+    char *reference = string_format("%s/%s/%s.png", references, step->name, item->scene);
     bool done = reference != NULL &&
                 pictures_read(pictures, item->yours.text, reference, item->rule, error);
     free(reference);
     return done;
-}
-
-/* The mistake's small picture, and yours in the same size. None where that is not kept. */
-static bool read_small(const struct item_result *item, const struct pictures *pictures,
-                       struct image *mistake, struct image *small, struct error *error) {
-    struct error ignored;
-    const struct image *yours = &pictures->image[PICTURE_YOURS];
-    const struct image *reference = &pictures->image[PICTURE_REFERENCE];
-    return yours->width == 0 ||
-           !looks_small(mistake, item->looks_path.text, item->looks_row, reference, &ignored) ||
-           looks_shrink(small, yours, reference, error);
 }
 
 /* The item's part of the page, with what it looks like and its pictures: all three, or where all
@@ -101,17 +87,11 @@ static bool put_scene(struct bytes *page, const struct step_result *step,
     if (!is_known && (item->seen.text[0] == '\0' || item->state != RESULT_FAIL)) {
         return page_scene(page, &scene, error);
     }
-    struct image mistake = {.pixels = NULL}, small = {.pixels = NULL};
     char *looks = string_format("%s%s%s%s", is_known ? result_likeness(item) : "",
                                 is_known ? " " : "", is_known ? item->looks.text : item->seen.text,
                                 result_advice(step, item).text);
     scene.looks = looks;
-    scene.mistake = &mistake;
-    scene.small = &small;
-    bool done = looks != NULL && read_small(item, scene.pictures, &mistake, &small, error) &&
-                page_scene(page, &scene, error);
-    image_free(&mistake);
-    image_free(&small);
+    bool done = looks != NULL && page_scene(page, &scene, error);
     free(looks);
     return done;
 }

@@ -38,8 +38,7 @@ struct judging {
     const struct options *options;
     const struct checked_step *step;
     struct step_result *result;
-    struct image *references;     /* one a scene, empty where there is none */
-    struct error *errors;         /* then why */
+    struct image *references;     /* one a scene, empty where there is none: it is an ERROR */
     struct mistake_list mistakes; /* that are known, */
     struct looks *looks;          /* and what they look like in each scene */
     struct bytes source;          /* main.c, a NUL at its end */
@@ -157,8 +156,6 @@ static void judge_picture(const struct judging *judging, size_t i, const struct 
             likeness = looks_find(&judging->looks[i], reference, yours, apart);
         }
         looks_compare(&judging->looks[i], yours);
-        item->looks_path =
-            looks_small_path(judging->options->looks, judging->step->name, item->scene);
         item->looks_row = likeness.row;
         item->seen = seen_find(reference, yours);
     }
@@ -275,7 +272,8 @@ static void describe_end(struct result_text *text, const struct run_result *end,
 
 /* ---- Pictures ---- */
 
-/* Read the references and what is known of mistakes. A bad reference stays empty. */
+/* Read the references and what is known of mistakes. A bad reference stays empty, its scene is an
+ * ERROR. */
 static void read_references(struct judging *judging) {
     char list[DRAWN_PATH_LIMIT];
     snprintf(list, sizeof list, "%s/%s/looks/signs.txt", judging->options->looks,
@@ -284,11 +282,17 @@ static void read_references(struct judging *judging) {
     for (size_t i = 0; i < judging->step->scene_count; i++) {
         looks_read(&judging->looks[i], &judging->mistakes, judging->options->looks,
                    judging->step->name, judging->step->items[i].scene);
-        struct result_path path = reference_path(judging, judging->step->items[i].scene);
+        struct item_result *item = &judging->result->items[i];
+        struct result_path path = reference_path(judging, item->scene);
         struct image *reference = &judging->references[i];
-        if (image_read(reference, path.text, &judging->errors[i]) && image_is_blank(reference)) {
-            error_set(&judging->errors[i], "%.900s: is blank", path.text);
+        struct error error;
+        if (image_read(reference, path.text, &error) && image_is_blank(reference)) {
+            error_set(&error, "%.900s: is blank", path.text);
             image_free(reference);
+        }
+        if (reference->pixels == NULL) {
+            item->state = RESULT_ERROR;
+            result_say(&item->message, "no reference: %s", drawn_message(error.message).text);
         }
     }
 }
@@ -366,11 +370,8 @@ static bool judge_pictures(const struct judging *judging, const struct run_resul
     int stopped = end->end == RUN_OUT_OF_TIME; /* so many times; nobody waits long for each scene */
     bool done = true;
     for (size_t i = 0; i < step->scene_count && done; i++) {
-        if (judging->references[i].pixels == NULL) {
-            items[i].state = RESULT_ERROR;
+        if (items[i].state == RESULT_ERROR) {
             judging->result->state = RESULT_ERROR;
-            result_say(&items[i].message, "no reference: %s",
-                       drawn_message(judging->errors[i].message).text);
         } else if (judge_scene(judging, i) == DRAWN_MISSING && !ended_well(end)) {
             if (step->scene_count > 1) {
                 if (stopped >= TIMEOUT_LIMIT) {
@@ -726,11 +727,8 @@ static void set_not_built(const struct judging *judging, const struct message_li
     result->state = RESULT_BUILD;
     result_say(&result->reason, "%s", reason->text);
     for (size_t i = 0; i < result->item_count; i++) {
-        result->items[i].state = RESULT_BUILD;
-        if (i < judging->step->scene_count && judging->references[i].pixels == NULL) {
-            result->items[i].state = RESULT_ERROR;
-            result_say(&result->items[i].message, "no reference: %s",
-                       drawn_message(judging->errors[i].message).text);
+        if (result->items[i].state != RESULT_ERROR) {
+            result->items[i].state = RESULT_BUILD;
         }
     }
 }
@@ -790,7 +788,6 @@ void judge_step(const struct options *options, const struct checked_step *step,
         .step = step,
         .result = result,
         .references = calloc(step->scene_count + 1, sizeof *judging.references),
-        .errors = calloc(step->scene_count + 1, sizeof *judging.errors),
         .looks = calloc(step->scene_count + 1, sizeof *judging.looks),
         .limits = run_program_limits(options->seconds),
     };
@@ -798,7 +795,7 @@ void judge_step(const struct options *options, const struct checked_step *step,
     snprintf(path, sizeof path, "%s/%s/main.c", options->sources, step->name);
     judging.source = todo_read(path);
     if (!step_result_begin(result, step, &error) || judging.references == NULL ||
-        judging.errors == NULL || judging.looks == NULL || !build_and_judge(&judging, &error)) {
+        judging.looks == NULL || !build_and_judge(&judging, &error)) {
         set_error(result, &error);
     }
     step_result_finish(result);
@@ -811,6 +808,5 @@ void judge_step(const struct options *options, const struct checked_step *step,
     mistakes_free(&judging.mistakes);
     free(judging.looks);
     free(judging.references);
-    free(judging.errors);
     bytes_free(&judging.source);
 }

@@ -1,6 +1,5 @@
 #include "looks.h"
 
-#include "check/page/pictures.h"
 #include "files/image_file.h"
 
 #include <stdio.h>
@@ -196,61 +195,4 @@ struct mistake_set looks_mistakes(const struct looks *looks, size_t row) {
         }
     }
     return set;
-}
-
-/* ---- Small pictures ---- */
-
-struct result_path looks_small_path(const char *directory, const char *step, const char *scene) {
-    struct result_path path;
-    snprintf(path.text, sizeof path.text, "%s/%s/looks/%s.small.png", directory, step, scene);
-    return path;
-}
-
-struct size {
-    size_t width, height;
-};
-
-static struct size small_size(const struct image *picture) {
-    size_t width = picture->width, height = picture->height;
-    size_t longer = width > height ? width : height;
-    if (longer > LOOKS_AS_IT_IS) {
-        width = (width * LOOKS_SMALL_SIDE + longer - 1) / longer;
-        height = (height * LOOKS_SMALL_SIDE + longer - 1) / longer;
-    }
-    return (struct size){width, height};
-}
-
-/* The nearest of the few levels. */
-static uint8_t find_level(uint8_t value) {
-    enum { MOST = 255, LEVELS = LOOKS_SMALL_LEVELS - 1 };
-    return (uint8_t)((value * LEVELS + MOST / 2) / MOST * MOST / LEVELS);
-}
-
-bool looks_shrink(struct image *small, const struct image *picture, const struct image *reference,
-                  struct error *error) {
-    struct size size = small_size(reference);
-    if (!picture_shrink(small, picture, reference, size.width, size.height, error)) {
-        return false;
-    }
-    for (size_t i = 0; i < size.width * size.height * (size_t)small->format; i++) {
-        small->pixels[i] = find_level(small->pixels[i]);
-    }
-    return true;
-}
-
-bool looks_small(struct image *small, const char *path, size_t row, const struct image *reference,
-                 struct error *error) {
-    struct size size = small_size(reference);
-    struct image sheet;
-    *small = (struct image){.pixels = NULL};
-    if (!image_read(&sheet, path, error)) {
-        return false;
-    }
-    bool is_there = row >= LOOKS_FIRST_ROW && sheet.height == size.height &&
-                    (row - LOOKS_FIRST_ROW + 1) * size.width <= sheet.width;
-    bool done = is_there ? picture_part(small, &sheet, (row - LOOKS_FIRST_ROW) * size.width, 0, 1,
-                                        size.width, size.height, error)
-                         : error_set(error, "%.900s: has no picture %zu", path, row);
-    image_free(&sheet);
-    return done;
 }

@@ -4,15 +4,12 @@
  * Each mistake of stepNN_name/mistakes.txt is kept as its colours at some hundred pixels of each
  * scene: pixels at which the mistakes differ from the reference and from each other, and some
  * others. They are made by `make mistakes STEP=NN` after a change of main.c, scenes or mistakes.txt
- * (`make verify` finds those that are out of date), in two files for each scene:
+ * (`make verify` finds those that are out of date), in a file for each scene:
  *
  *     tests/lessons/stepNN_name/looks/scene.png    a column for each pixel; row 0, at the bottom,
  *                                                holds where it is (x in 12 bits, then y, from
  *                                                blue's lowest on), row 1 the reference, then one
  *                                                row for each picture that mistakes draw
- *     tests/lessons/stepNN_name/looks/scene.small.png
- *                                                the picture of each row, for people: small, side
- *                                                by side in the order of the rows
  *
  * Which row is whose is in signs.txt next to them (mistakes.h).
  *
@@ -41,12 +38,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-enum {
-    LOOKS_FIRST_ROW = 2,
-    LOOKS_SMALL_SIDE = 64, /* pixels along the longer side of a small picture */
-    LOOKS_AS_IT_IS = 100,  /* pixels up to which a picture is not made smaller */
-    LOOKS_SMALL_LEVELS = 16
-};
+enum { LOOKS_FIRST_ROW = 2 };
 
 /* What a mistake makes of the scene. All zero: it leaves it right, or draws nothing. */
 struct look {
@@ -87,20 +79,6 @@ void looks_compare(struct looks *looks, const struct image *yours);
 
 /* The mistakes of that row: at most LOOKS_NAME_LIMIT, which looks_find() sees to. */
 struct mistake_set looks_mistakes(const struct looks *looks, size_t row);
-
-/* Where the small pictures of a scene are: DIRECTORY/STEP/SCENE.small.png. */
-struct result_path looks_small_path(const char *directory, const char *step, const char *scene);
-
-/* `small` becomes the picture, which has the reference's size, in few pixels and in few levels a
- * channel: half a kilobyte in a file. Where several pixels become one, the one farthest from the
- * reference is kept. */
-bool looks_shrink(struct image *small, const struct image *picture, const struct image *reference,
-                  struct error *error);
-
-/* `small` becomes the picture of that row; `reference` has its size. False, with a message, when
- * the file has none. */
-bool looks_small(struct image *small, const char *path, size_t row, const struct image *reference,
-                 struct error *error);
 
 /* Column i of row 0 says where this pixel is. */
 struct place {

@@ -5,8 +5,8 @@
  *
  * LIST is a list of mistakes (mistakes.h) with a number instead of signs;
  * DIRECTORY/NUMBER/SCENE.png is what the mistake draws, when it draws something wrong there. Writes
- * LOOKS/STEP/SCENE.png and .small.png, or removes them where no mistake can be known, and prints
- * NUMBER and sign of each mistake that shows in the scene.
+ * LOOKS/STEP/SCENE.png, or removes it where no mistake can be known, and prints NUMBER and sign of
+ * each mistake that shows in the scene.
  *
  * Exit status: 0 done, 1 something cannot be read or written, 2 wrong usage.
  */
@@ -217,37 +217,17 @@ static void make_pixels(const struct making *making, struct image *pixels) {
     }
 }
 
-/* The small pictures of all rows, side by side. */
-static void make_small(const struct making *making, struct image *sheet) {
-    for (size_t i = 0; i < making->row_count; i++) {
-        struct image small;
-        need(looks_shrink(&small, picture_of(making, i), &making->reference, &error) &&
-             (i > 0 || image_create(sheet, small.width * making->row_count, small.height, IMAGE_BGR,
-                                    &error)));
-        for (size_t y = 0; y < small.height; y++) {
-            for (size_t x = 0; x < small.width; x++) {
-                image_set(sheet, (int)(i * small.width + x), (int)y,
-                          image_get(&small, (int)x, (int)y));
-            }
-        }
-    }
-}
-
-static void write_pictures(const struct making *making, const struct image *pixels,
-                           const char *directory) {
+static void write_pixels(const struct making *making, const struct image *pixels,
+                         const char *directory) {
     char path[DRAWN_PATH_LIMIT + 80];
-    struct result_path small_path = looks_small_path(directory, making->step, making->scene);
-    struct image small;
     snprintf(path, sizeof path, "%s/%s/looks", directory, making->step);
     need(directory_create(path, &error));
     snprintf(path, sizeof path, "%s/%s/looks/%s.png", directory, making->step, making->scene);
     if (making->row_count == 0) {
         unlink(path);
-        unlink(small_path.text);
         return;
     }
-    make_small(making, &small);
-    need(png_write(pixels, path, &error) && png_write(&small, small_path.text, &error));
+    need(png_write(pixels, path, &error));
 }
 
 /* ---- What a look says ---- */
@@ -298,7 +278,7 @@ int main(int argc, char **argv) {
     choose_places(&making);
     struct looks looks = {.mistakes = &making.mistakes, .list = making.looks};
     make_pixels(&making, &looks.pixels);
-    write_pictures(&making, &looks.pixels, argv[6]);
+    write_pixels(&making, &looks.pixels, argv[6]);
     print_starter(&making);
     print_signs(&making, &looks);
     return 0;

@@ -38,13 +38,10 @@ static bool read_mistake(struct mistake *mistake, char *line) {
 }
 
 static bool add_mistake(struct mistake_list *mistakes, const struct mistake *mistake) {
-    struct mistake *grown =
-        array_reserve(mistakes->list, &mistakes->capacity, mistakes->count + 1, sizeof *grown);
-    if (grown == NULL) {
+    if (!array_extend(&mistakes->list, &mistakes->capacity, mistakes->count + 1, sizeof *mistake)) {
         return false;
     }
-    mistakes->list = grown;
-    grown[mistakes->count++] = *mistake;
+    mistakes->list[mistakes->count++] = *mistake;
     return true;
 }
 

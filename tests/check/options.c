@@ -24,9 +24,7 @@ static const struct options default_options = {
     .counted = "",
     .junit = "",
     .json = "",
-    .tap = "",
     .html = "",
-    .csv = "",
     .note = "",
     .seconds = 10,
     .build_seconds = 60,
@@ -69,15 +67,28 @@ static bool read_path(const char *value, void *target) {
     return strlen(value) <= DRAWN_PATH_LIMIT / 2 && argument_text(value, target);
 }
 
-enum { KNOWN_LIMIT = 24 };
+static void print_help(const struct argument *known, size_t known_count) {
+    puts("Usage: check [options] [--] [STEP ...]\n"
+         "Build the steps, draw their scenes, compare them with the reference images.\n"
+         "STEP is 5, 05 or step05_zbuffer; without it all steps are checked.\n");
+    arguments_print_help(known, known_count);
+    puts("\n"
+         "A difference image shows the reference, yours and the difference. Red: this pixel of\n"
+         "yours should not be there, or has another colour; blue: missing; dark green: differs,\n"
+         "but does not count.\n"
+         "\n"
+         "CHECK_TIMEOUT in the environment: seconds that a step's program may take (10).\n"
+         "CHECK_BUILD_TIMEOUT in the environment: seconds that building it may take (60).\n"
+         "CHECK_RUNNER in the environment: a command that runs the programs, shut in.\n"
+         "CHECK_EXACT=1 in the environment: every pixel of every scene must be equal.\n"
+         "VERBOSE=1 in the environment: on a terminal, too, everything a file gets.\n"
+         "Exit status: 0 all passed, 1 something failed, 2 the check itself cannot work.\n"
+         "On a terminal what is still to do has not failed: status 0.\n"
+         "To see everything a program says, run it by hand: build/step05_zbuffer -o DIRECTORY");
+}
 
-struct known {
-    struct argument list[KNOWN_LIMIT];
-    size_t count;
-};
-
-static struct known known_options(struct options *o) {
-    const struct argument list[] = {
+int options_read(struct options *o, int argc, char **argv, struct error *error) {
+    const struct argument known[] = {
         {"--root", "DIR", "the course's directory; other paths start there (.)", read_path,
          &o->root},
         {"--scenes", "FILE", "the table of scenes (tests/check/scenes.txt)", read_path, &o->scenes},
@@ -103,43 +114,16 @@ static struct known known_options(struct options *o) {
          read_path, &o->counted},
         {"--junit", "FILE", "a report for CI", read_path, &o->junit},
         {"--json", "FILE", "the same as JSON", read_path, &o->json},
-        {"--tap", "FILE", "the same as TAP", read_path, &o->tap},
-        {"--csv", "FILE", "the same with a line for each task", read_path, &o->csv},
         {"--html", "FILE", "the same for people", read_path, &o->html},
         {"--note", "TEXT", "a line that the reports begin with", read_path, &o->note},
         {"--sanitized", "", "make builds the programs so that they say in which line they crash",
          argument_flag, &o->sanitized},
     };
-    struct known known = {.count = sizeof list / sizeof list[0]};
-    memcpy(known.list, list, sizeof list);
-    return known;
-}
-
-int options_read(struct options *options, int argc, char **argv, struct error *error) {
-    struct known known = known_options(options);
-    return options_begin(options, error)
-               ? arguments_read(known.list, known.count, argc, argv, error)
-               : -1;
-}
-
-void options_help(void) {
-    struct options unused;
-    struct known known = known_options(&unused);
-    puts("Usage: check [options] [--] [STEP ...]\n"
-         "Build the steps, draw their scenes, compare them with the reference images.\n"
-         "STEP is 5, 05 or step05_zbuffer; without it all steps are checked.\n");
-    arguments_print_help(known.list, known.count);
-    puts("\n"
-         "A difference image shows the reference, yours and the difference. Red: this pixel of\n"
-         "yours should not be there, or has another colour; blue: missing; dark green: differs,\n"
-         "but does not count.\n"
-         "\n"
-         "CHECK_TIMEOUT in the environment: seconds that a step's program may take (10).\n"
-         "CHECK_BUILD_TIMEOUT in the environment: seconds that building it may take (60).\n"
-         "CHECK_RUNNER in the environment: a command that runs the programs, shut in.\n"
-         "CHECK_EXACT=1 in the environment: every pixel of every scene must be equal.\n"
-         "VERBOSE=1 in the environment: on a terminal, too, everything a file gets.\n"
-         "Exit status: 0 all passed, 1 something failed, 2 the check itself cannot work.\n"
-         "On a terminal what is still to do has not failed: status 0.\n"
-         "To see everything a program says, run it by hand: build/step05_zbuffer -o DIRECTORY");
+    const size_t known_count = sizeof known / sizeof known[0];
+    if (arguments_want_help(argc, argv)) {
+        print_help(known, known_count);
+        *o = (struct options){.help = true};
+        return 0;
+    }
+    return options_begin(o, error) ? arguments_read(known, known_count, argc, argv, error) : -1;
 }

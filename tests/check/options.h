@@ -15,12 +15,13 @@ struct options {
     const char *only;    /* judge just this scene; "" means all */
     const char *shares;  /* a file to add each picture's numbers to, or "" */
     const char *counted; /* one to add to what shows a mistake that no picture shows, or "" */
-    const char *junit, *json, *tap, *html, *csv; /* files for reports, or "" */
-    const char *note;                            /* a line for the reports, or "" */
-    double seconds;                              /* for one step's program */
-    double build_seconds;                        /* for building it */
-    bool exact;                                  /* every pixel of every scene must be equal */
-    bool sanitized;                              /* the programs say in which line they crash */
+    const char *junit, *json, *html; /* files for reports, or "" */
+    const char *note;                /* a line for the reports, or "" */
+    double seconds;                  /* for one step's program */
+    double build_seconds;            /* for building it */
+    bool help;                       /* was printed; the rest is not known */
+    bool exact;                      /* every pixel of every scene must be equal */
+    bool sanitized;                  /* the programs say in which line they crash */
     bool person; /* standard output is a terminal, and VERBOSE is not in the environment */
 };
 
@@ -28,10 +29,7 @@ struct options {
 bool options_begin(struct options *options, struct error *error);
 
 /* Begin, then read the command line: argv[1] and on become the steps. Returns how many there are;
- * -1, with a message, where something is wrong. */
+ * -1, with a message, where something is wrong. --help is printed at once. */
 int options_read(struct options *options, int argc, char **argv, struct error *error);
-
-/* What --help says. */
-void options_help(void);
 
 #endif

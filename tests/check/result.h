@@ -63,8 +63,7 @@ struct item_result {
     /* The figures of the lesson's wrong pictures that show these. */
     unsigned looks_figures[LOOKS_NAME_LIMIT];
     size_t looks_figure_count;
-    struct result_path looks_path; /* with that, a file of small pictures of mistakes, */
-    size_t looks_row;              /* and which of them it is */
+    size_t looks_row;              /* which row of looks.h its picture looks like; 0: none */
     uint64_t counted, most, least; /* of a counter: the work done, what is enough, what is needed */
     bool unjudged;                 /* a counter or relations, because the picture does not pass */
     bool blamed;                   /* the program ended badly over it; `message` says how */

@@ -108,16 +108,14 @@ static struct process_list list_processes(void) {
     DIR *directory = opendir("/proc");
     struct dirent *entry;
     while (directory != NULL && (entry = readdir(directory)) != NULL) {
-        struct process process, *larger;
+        struct process process;
         if (!isdigit((unsigned char)entry->d_name[0]) || !read_process(entry->d_name, &process)) {
             continue;
         }
-        larger = array_reserve(list.processes, &list.capacity, list.count + 1, sizeof *larger);
-        if (larger == NULL) {
+        if (!array_extend(&list.processes, &list.capacity, list.count + 1, sizeof process)) {
             break;
         }
-        list.processes = larger;
-        larger[list.count++] = process;
+        list.processes[list.count++] = process;
     }
     if (directory != NULL) {
         closedir(directory);

@@ -52,14 +52,12 @@ static struct checked_step *find_or_add_step(struct scene_table *table, struct t
             return NULL;
         }
     }
-    struct checked_step *steps =
-        array_reserve(table->steps, &table->step_capacity, table->step_count + 1, sizeof *steps);
-    if (steps == NULL) {
+    if (!array_extend(&table->steps, &table->step_capacity, table->step_count + 1,
+                      sizeof *table->steps)) {
         error_out_of_memory(error);
         return NULL;
     }
-    table->steps = steps;
-    struct checked_step *step = &steps[table->step_count++];
+    struct checked_step *step = &table->steps[table->step_count++];
     memset(step, 0, sizeof *step);
     memcpy(step->name, name, sizeof name);
     return step;
@@ -182,30 +180,19 @@ static bool read_limit(unsigned *limit, struct text *text, struct word word, str
     return true;
 }
 
-static bool read_end(struct text *text, struct error *error) {
-    struct word word = text_next_word(text);
-    return word.length == 0 ||
-           text_error(error, text->line, "unexpected '%s'", word_show(word).text);
-}
-
 /* `exact`, or three limits and perhaps a fourth: without it any number of pixels may be near. */
 static bool read_limits(struct checked_item *item, struct text *text, struct error *error) {
     unsigned *limits[] = {&item->wrong_limit, &item->apart_limit, &item->coverage_limit,
                           &item->near_limit};
     struct word word = text_next_word(text);
     item->exact = word_is(word, "exact");
-    if (item->exact) {
-        return read_end(text, error);
+    item->near_limit = item->exact ? 0 : 100 * 1000;
+    bool done = true;
+    for (size_t i = 0; done && !item->exact && i < 4 && (i < 3 || word.length > 0); i++) {
+        done = read_limit(limits[i], text, word, error);
+        word = i < 3 ? text_next_word(text) : word;
     }
-    item->near_limit = 100 * 1000;
-    for (size_t i = 0; i < 4 && (i < 3 || word.length > 0); i++) {
-        if (!read_limit(limits[i], text, word, error)) {
-            return false;
-        }
-        word = text_next_word(text);
-    }
-    return word.length == 0 ||
-           text_error(error, text->line, "unexpected '%s'", word_show(word).text);
+    return done;
 }
 
 static bool read_count(uint64_t *count, struct text *text, struct word word, struct error *error) {
@@ -229,8 +216,7 @@ static bool read_counter(struct checked_item *item, struct text *text, struct er
         return false;
     }
     word = text_next_word(text);
-    return word.length == 0 ||
-           (read_count(&item->least, text, word, error) && read_end(text, error));
+    return word.length == 0 || read_count(&item->least, text, word, error);
 }
 
 static const char *const relation_names[RELATION_COUNT] = {"shuffled", "turned", "reversed",
@@ -274,13 +260,14 @@ static bool read_relations(struct checked_item *item, struct text *text, struct 
         start = end + 1;
     }
     name_relations(item);
-    return read_limit(&item->limit, text, text_next_word(text), error) && read_end(text, error);
+    return read_limit(&item->limit, text, text_next_word(text), error);
 }
 
 /* Nothing more; the task's name is the counter's. */
 static bool read_numbers(struct checked_item *item, struct text *text, struct error *error) {
+    (void)text, (void)error;
     strcpy(item->counter, item->credit.tasks[0].text);
-    return read_end(text, error);
+    return true;
 }
 
 /* The kinds of lines: those behind the pictures by their first word. */
@@ -343,22 +330,26 @@ static struct checked_step *read_step(struct scene_table *table, enum item_kind 
     return NULL;
 }
 
+static bool read_end(struct text *text, struct error *error) {
+    struct word word = text_next_word(text);
+    return word.length == 0 ||
+           text_error(error, text->line, "unexpected '%s'", word_show(word).text);
+}
+
 /* What follows the word that names the kind. */
 static bool read_item(struct scene_table *table, enum item_kind kind, struct text *text,
                       struct word step_name, struct error *error) {
     struct checked_step *step = read_step(table, kind, text, step_name, error);
     struct checked_item item = {.kind = kind};
     if (step == NULL || !read_scene(&item, step, text, error) ||
-        !read_credit(&item.credit, text, error) || !kinds[kind].read(&item, text, error)) {
+        !read_credit(&item.credit, text, error) || !kinds[kind].read(&item, text, error) ||
+        !read_end(text, error)) {
         return false;
     }
-    struct checked_item *items =
-        array_reserve(step->items, &step->item_capacity, step->item_count + 1, sizeof *items);
-    if (items == NULL) {
+    if (!array_extend(&step->items, &step->item_capacity, step->item_count + 1, sizeof item)) {
         return error_out_of_memory(error);
     }
-    step->items = items;
-    items[step->item_count++] = item;
+    step->items[step->item_count++] = item;
     step->scene_count += kind == ITEM_PICTURE;
     return true;
 }

@@ -312,44 +312,6 @@ static void test_signs(void) {
     tear_down(&f);
 }
 
-/* A pixel that differs is seen in the small picture, which is found again among others. */
-static void test_shrinking(void) {
-    enum { WIDTH = 400, HEIGHT = 200, SMALL = LOOKS_SMALL_SIDE };
-    char path[] = "/tmp/test_looks.XXXXXX";
-    struct image reference, picture, small, sheet, found;
-    struct error error;
-    CHECK(close(mkstemp(path)) == 0);
-    CHECK(image_create(&reference, WIDTH, HEIGHT, IMAGE_BGR, &error));
-    CHECK(image_create(&picture, WIDTH, HEIGHT, IMAGE_BGRA, &error));
-    image_clear(&reference, color_grey(255));
-    image_clear(&picture, color_grey(255));
-    image_set(&picture, 77, 33, color_rgb(100, 0, 0));
-    CHECK(looks_shrink(&small, &picture, &reference, &error));
-    CHECK(small.width == SMALL && small.height == SMALL / 2);
-    for (int y = 0; y < SMALL / 2; y++) {
-        for (int x = 0; x < SMALL; x++) {
-            bool is_hole = x == 77 * SMALL / WIDTH && y == 33 * SMALL / WIDTH;
-            struct color color = image_get(&small, x, y);
-            CHECK(color.r == (is_hole ? 102 : 255) && color.g == (is_hole ? 0 : 255));
-        }
-    }
-    CHECK(image_create(&sheet, (size_t)SMALL * 2, SMALL / 2, IMAGE_BGR, &error));
-    image_set(&sheet, SMALL + 3, 5, color_rgb(1, 2, 3));
-    CHECK(png_write(&sheet, path, &error));
-    CHECK(looks_small(&found, path, LOOKS_FIRST_ROW + 1, &reference, &error));
-    CHECK(found.width == SMALL && image_get(&found, 3, 5).b == 3);
-    image_free(&found);
-    CHECK(!looks_small(&found, path, LOOKS_FIRST_ROW + 2, &reference, &error));
-    CHECK(!looks_small(&found, path, LOOKS_FIRST_ROW - 1, &reference, &error));
-    CHECK(!looks_small(&found, path, LOOKS_FIRST_ROW, &sheet, &error) && found.width == 0);
-    unlink(path);
-    CHECK(!looks_small(&found, path, LOOKS_FIRST_ROW, &reference, &error) && found.width == 0);
-    image_free(&reference);
-    image_free(&picture);
-    image_free(&small);
-    image_free(&sheet);
-}
-
 UNIT_MAIN(TEST(test_places), TEST(test_what_is_told), TEST(test_doubt), TEST(test_near),
-          TEST(test_small_pictures), TEST(test_black), TEST(test_shrinking), TEST(test_names),
-          TEST(test_explained), TEST(test_out_of_date), TEST(test_signs))
+          TEST(test_small_pictures), TEST(test_black), TEST(test_names), TEST(test_explained),
+          TEST(test_out_of_date), TEST(test_signs))

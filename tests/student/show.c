@@ -127,21 +127,24 @@ static size_t smaller(size_t a, size_t b) {
     return a < b ? a : b;
 }
 
-/* `fitted` becomes the image in the size in which it fills the room. */
+static size_t larger(size_t a, size_t b) {
+    return a > b ? a : b;
+}
+
+/* `fitted` becomes the image in the size in which it fills the room: enlarged by a whole number. */
 static bool fit(struct image *fitted, const struct image *image, struct room room,
                 struct error *error) {
-    size_t times =
-        smaller(picture_times(image->width, room.width), picture_times(image->height, room.height));
-    if (image->width <= room.width && image->height <= room.height) {
-        return picture_enlarge(fitted, image, times, error);
+    size_t times = smaller(room.width / image->width, room.height / image->height);
+    size_t width = image->width * times, height = image->height * times;
+    if (times == 0) {
+        width = room.width;
+        height = image->height * room.width / image->width;
     }
-    size_t width = room.width, height = image->height * room.width / image->width;
     if (height > room.height) {
         width = image->width * room.height / image->height;
         height = room.height;
     }
-    return picture_shrink(fitted, image, NULL, width > 0 ? width : 1, height > 0 ? height : 1,
-                          error);
+    return picture_resize(fitted, image, larger(width, 1), larger(height, 1), error);
 }
 
 /* ---- Pictures side by side ---- */
@@ -154,10 +157,6 @@ static void put_panel(struct image *sheet, const struct image *panel, size_t lef
             image_set(sheet, (int)(left + x), (int)to, image_get(panel, (int)x, (int)y));
         }
     }
-}
-
-static size_t larger(size_t a, size_t b) {
-    return a > b ? a : b;
 }
 
 /* Append the panels' names, each above its panel, then the panels. */

@@ -23,8 +23,8 @@ site: $(BUILD)/models/bust.obj
 
 # ---- Hidden scenes ----
 
-POINTS = $(CHECKED)/points.csv
-KEEP_POINTS = $(if $(HIDDEN),--csv '$(POINTS)')
+POINTS = $(if $(REPORT),$(REPORT),$(CHECKED)/points).json
+KEEP_POINTS = $(if $(HIDDEN),--json '$(POINTS)')
 THEN_HIDDEN = $(if $(HIDDEN),; status=$$?; sh tests/teacher/hidden/hidden.sh '$(BUILD)' '$(CHECKED)' \
                   '$(MAKE) -s' '$(HIDDEN)' '$(STEP)' '$(SOLUTION)' '$(POINTS)' && exit $$status)
 

@@ -333,9 +333,7 @@ static void test_colors_without_map(void) {
 /* ---- TGA out ---- */
 
 static void check_tga_round_trip(const struct image *image) {
-    static const uint8_t footer[26] = {0,   0,   0,   0,   0,   0,   0,   0,   'T',
-                                       'R', 'U', 'E', 'V', 'I', 'S', 'I', 'O', 'N',
-                                       '-', 'X', 'F', 'I', 'L', 'E', '.', 0};
+    static const char footer[26] = "\0\0\0\0\0\0\0\0TRUEVISION-XFILE.";
     struct bytes file = {0};
     struct image again;
     struct error error;

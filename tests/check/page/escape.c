@@ -25,42 +25,27 @@ static char *printable_lines(const char *text) {
     return copy;
 }
 
-/* What is written for a character that means something there, or NULL. */
-typedef const char *entity_function(char character);
-
-static const char *entity_of(char character) {
-    switch (character) {
-    case '<':
-        return "&lt;";
-    case '>':
-        return "&gt;";
-    case '&':
-        return "&amp;";
-    case '"':
-        return "&quot;";
-    case '\'':
-        return "&#39;";
-    default:
-        return NULL;
-    }
+const char *escape_markup(char character) {
+    return character == '<'    ? "&lt;"
+           : character == '>'  ? "&gt;"
+           : character == '&'  ? "&amp;"
+           : character == '"'  ? "&quot;"
+           : character == '\'' ? "&#39;"
+                               : NULL;
 }
 
-static const char *json_of(char character) {
+const char *escape_json(char character) {
     return character == '"'    ? "\\\""
            : character == '\\' ? "\\\\"
            : character == '\n' ? "\\n"
                                : NULL;
 }
 
-static const char *tap_of(char character) {
-    return character == '#' || character == '\n' ? " " : NULL;
-}
-
-static bool escape(struct bytes *out, const char *text, entity_function *find) {
+bool escape_text(struct bytes *out, escape_function *escape, const char *text) {
     char *printable = printable_lines(text);
     bool done = printable != NULL;
     for (const char *at = printable; done && *at != '\0'; at++) {
-        const char *entity = find(*at);
+        const char *entity = escape(*at);
         done =
             entity != NULL ? bytes_append(out, entity, strlen(entity)) : bytes_append(out, at, 1);
     }
@@ -68,19 +53,7 @@ static bool escape(struct bytes *out, const char *text, entity_function *find) {
     return done;
 }
 
-bool escape_markup(struct bytes *out, const char *text) {
-    return escape(out, text, entity_of);
-}
-
-bool escape_json(struct bytes *out, const char *text) {
-    return escape(out, text, json_of);
-}
-
-bool escape_tap(struct bytes *out, const char *text) {
-    return escape(out, text, tap_of);
-}
-
-bool escape_print(struct bytes *out, escape_function *escape_text, const char *format,
+bool escape_print(struct bytes *out, escape_function *escape, const char *format,
                   va_list arguments) {
     bool done = true;
     for (const char *at = format; done && *at != '\0';) {
@@ -88,7 +61,7 @@ bool escape_print(struct bytes *out, escape_function *escape_text, const char *f
         done = bytes_append(out, at, plain);
         at += plain;
         if (*at == '%') {
-            done = done && (at[1] == 's' ? escape_text(out, va_arg(arguments, const char *))
+            done = done && (at[1] == 's' ? escape_text(out, escape, va_arg(arguments, const char *))
                                          : bytes_print(out, "%u", va_arg(arguments, unsigned)));
             at += 2;
         }

@@ -7,13 +7,15 @@
 #include <stdarg.h>
 #include <stdbool.h>
 
-/* Appends the text as a format has it; false when memory runs out. What a terminal would obey
- * becomes '?', a tab a blank; lines stay lines. */
-typedef bool escape_function(struct bytes *out, const char *text);
+/* What is written for a character that means something in a format; NULL for any other. */
+typedef const char *escape_function(char character);
 
-/* As text or attribute of HTML or XML; within a string of JSON; on the one line of TAP, where '#'
- * begins a directive. */
-escape_function escape_markup, escape_json, escape_tap;
+/* As text or attribute of HTML or XML; within a string of JSON. */
+escape_function escape_markup, escape_json;
+
+/* Append the text as the format has it; false when memory runs out. What a terminal would obey
+ * becomes '?', a tab a blank; lines stay lines. */
+bool escape_text(struct bytes *out, escape_function *escape, const char *text);
 
 /* Append the format, of which each %s is text that is escaped, each %u a number; there is nothing
  * else behind a %. False when memory runs out. */

@@ -31,47 +31,33 @@ bool page_begin(struct bytes *page, const char *title) {
            markup_print(page, "</style>\n</head>\n<body>\n<h1>%s</h1>\n<main>\n", title);
 }
 
-/* A picture and its name, in the page itself. */
+/* A picture and its name, in the page itself. `error` says out of memory already. */
 static bool put_figure(struct bytes *page, const char *scene, const char *name,
                        const struct image *image, struct error *error) {
     struct bytes png = {.data = NULL};
-    bool encoded = png_encode(image, &png, error);
-    bool done = encoded &&
+    bool done = png_encode(image, &png, error) &&
                 markup_print(page,
                              "<figure data-name=\"%s\"><figcaption>%s</figcaption>"
                              "<img alt=\"%s, %s\" src=\"data:image/png;base64,",
                              name, name, scene, name) &&
                 base64_encode(page, png.data, png.size) && markup_print(page, "\"></figure>\n");
     bytes_free(&png);
-    return done || (encoded && error_out_of_memory(error));
-}
-
-/* What it looks like, and the two small pictures by which that is seen. */
-static bool put_looks(struct bytes *page, const struct page_scene *scene, struct error *error) {
-    if (scene->looks == NULL) {
-        return true;
-    }
-    bool done = markup_print(page, "<aside class=looks><p>%s</p>\n", scene->looks) ||
-                error_out_of_memory(error);
-    if (done && scene->mistake->width > 0) {
-        done = put_figure(page, scene->name, "the mistake", scene->mistake, error) &&
-               put_figure(page, scene->name, "yours, as small", scene->small, error);
-    }
-    return done && (markup_print(page, "</aside>\n") || error_out_of_memory(error));
+    return done;
 }
 
 bool page_scene(struct bytes *page, const struct page_scene *scene, struct error *error) {
     const unsigned level = (unsigned)scene->level;
-    bool done = (markup_print(page, "<section>\n<h%u>%s</h%u>\n<p>%s</p>\n", level, scene->name,
-                              level, scene->note) ||
-                 error_out_of_memory(error)) &&
-                put_looks(page, scene, error) &&
-                (markup_print(page, "<div class=pictures>\n") || error_out_of_memory(error));
+    error_out_of_memory(error); /* unless something else goes wrong */
+    bool done = markup_print(page, "<section>\n<h%u>%s</h%u>\n<p>%s</p>\n", level, scene->name,
+                             level, scene->note) &&
+                (scene->looks == NULL ||
+                 markup_print(page, "<aside class=looks><p>%s</p>\n</aside>\n", scene->looks)) &&
+                markup_print(page, "<div class=pictures>\n");
     for (int i = 0; i < PICTURE_COUNT && done; i++) {
         const struct image *image = &scene->pictures->image[i];
         done = image->width == 0 || put_figure(page, scene->name, picture_names[i], image, error);
     }
-    return done && (markup_print(page, "</div>\n</section>\n") || error_out_of_memory(error));
+    return done && markup_print(page, "</div>\n</section>\n");
 }
 
 bool page_end(struct bytes *page) {

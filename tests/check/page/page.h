@@ -29,9 +29,7 @@ struct page_scene {
     const char *name, *note; /* the note may be "" */
     int level;               /* of its heading: 2, or 3 below a heading of level 2 */
     const struct pictures *pictures;
-    const char *looks;           /* what it looks like, or NULL */
-    const struct image *mistake; /* with that: the small picture of it, or an empty one */
-    const struct image *small;   /* and yours, as small */
+    const char *looks; /* what it looks like, or NULL */
 };
 
 /* Each appends to the page and returns false when memory runs out. Texts are escaped. */

@@ -84,21 +84,6 @@ void pictures_free(struct pictures *pictures) {
     }
 }
 
-bool picture_enlarge(struct image *enlarged, const struct image *image, size_t times,
-                     struct error *error) {
-    if (!image_create(enlarged, image->width * times, image->height * times, image->format,
-                      error)) {
-        return false;
-    }
-    for (size_t y = 0; y < enlarged->height; y++) {
-        for (size_t x = 0; x < enlarged->width; x++) {
-            image_set(enlarged, (int)x, (int)y,
-                      image_get(image, (int)(x / times), (int)(y / times)));
-        }
-    }
-    return true;
-}
-
 bool picture_part(struct image *part, const struct image *image, size_t left, size_t bottom,
                   size_t step, size_t width, size_t height, struct error *error) {
     size_t most_width = (image->width - left) / step, most_height = (image->height - bottom) / step;
@@ -115,21 +100,17 @@ bool picture_part(struct image *part, const struct image *image, size_t left, si
     return true;
 }
 
-/* Of the pixels from (x,y) up to, without, (right,top): the one that is farthest from the
- * reference's; where none is, the brightest. */
-static struct color choose_pixel(const struct image *image, const struct image *reference, size_t x,
-                                 size_t y, size_t right, size_t top) {
+/* Of the pixels from (x,y) up to, without, (right,top), and of (x,y), the brightest. */
+static struct color choose_pixel(const struct image *image, size_t x, size_t y, size_t right,
+                                 size_t top) {
     const struct color black = color_grey(0);
     struct color chosen = black;
     int most = -1;
-    for (size_t j = y; j < top; j++) {
-        for (size_t i = x; i < right; i++) {
+    for (size_t j = y; j < top || j == y; j++) {
+        for (size_t i = x; i < right || i == x; i++) {
             struct color color = image_get(image, (int)i, (int)j);
-            int wrong =
-                reference != NULL ? color_distance(color, image_get(reference, (int)i, (int)j)) : 0;
-            int weight = (wrong > COMPARE_LEVELS ? wrong * 256 : 0) + color_distance(color, black);
-            if (weight > most) {
-                most = weight;
+            if (color_distance(color, black) > most) {
+                most = color_distance(color, black);
                 chosen = color;
             }
         }
@@ -137,22 +118,18 @@ static struct color choose_pixel(const struct image *image, const struct image *
     return chosen;
 }
 
-bool picture_shrink(struct image *shrunk, const struct image *image, const struct image *reference,
-                    size_t width, size_t height, struct error *error) {
-    if (!image_create(shrunk, width, height, IMAGE_BGR, error)) {
+bool picture_resize(struct image *resized, const struct image *image, size_t width, size_t height,
+                    struct error *error) {
+    if (!image_create(resized, width, height, IMAGE_BGR, error)) {
         return false;
     }
     for (size_t y = 0; y < height; y++) {
         for (size_t x = 0; x < width; x++) {
             struct color color =
-                choose_pixel(image, reference, x * image->width / width, y * image->height / height,
+                choose_pixel(image, x * image->width / width, y * image->height / height,
                              (x + 1) * image->width / width, (y + 1) * image->height / height);
-            image_set(shrunk, (int)x, (int)y, color);
+            image_set(resized, (int)x, (int)y, color);
         }
     }
     return true;
-}
-
-size_t picture_times(size_t size, size_t room) {
-    return size > 0 && size < room ? room / size : 1;
 }

@@ -45,23 +45,14 @@ struct picture_words pictures_describe(const struct pictures *pictures);
 /* Free the images and leave them empty. */
 void pictures_free(struct pictures *pictures);
 
-/* `enlarged` becomes the image with each pixel as a square of `times` by `times`. */
-bool picture_enlarge(struct image *enlarged, const struct image *image, size_t times,
-                     struct error *error);
-
 /* `part` becomes every `step`th pixel from (left,bottom) on, which lies in the image: at most so
  * many. */
 bool picture_part(struct image *part, const struct image *image, size_t left, size_t bottom,
                   size_t step, size_t width, size_t height, struct error *error);
 
-/* `shrunk` becomes the image in that size, which is not larger: of the pixels that become one it
- * keeps the one that differs most from the reference, of the same size, and where none does, or it
- * is NULL, from the background, so that no line, no mark and no hole is lost. */
-bool picture_shrink(struct image *shrunk, const struct image *image, const struct image *reference,
-                    size_t width, size_t height, struct error *error);
-
-/* How many times an image of that size must be enlarged, by whole numbers, to fill `room`, and at
- * least 1. */
-size_t picture_times(size_t size, size_t room);
+/* `resized` becomes the image in that size. Where that is smaller, of the pixels that become one it
+ * keeps the one that differs most from the background, so that no line and no mark is lost. */
+bool picture_resize(struct image *resized, const struct image *image, size_t width, size_t height,
+                    struct error *error);
 
 #endif

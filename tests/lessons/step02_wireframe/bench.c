@@ -13,18 +13,18 @@
 
 enum { SIDE = 800 }; /* of the image */
 
-/* How much the model is enlarged about its middle: the face fills the image. */
-static const double enlargement = 6;
-static const double middle_y = 0.25, hole = 0.06; /* before that */
+/* The face fills the image; half a side of the hole in its middle. */
+static const struct view enlarged = {0, 0.25, 6};
+static const double hole = 0.06;
 
 static struct {
     struct model model;
     struct drawing drawing;
-    struct wireframe wireframe; /* the list of sides, each once */
-    struct side *listed;        /* room for all that the faces have */
-    struct image timed;         /* IMAGE_GREY */
-    struct image exact;         /* IMAGE_GREY, 255 where a line should be */
-    size_t pixel_count;         /* of these */
+    struct wireframe once;  /* the sides, each once */
+    struct wireframe every; /* room for all that the faces have */
+    struct image timed;     /* IMAGE_GREY */
+    struct image exact;     /* IMAGE_GREY, 255 where a line should be */
+    size_t pixel_count;     /* of these */
 } frame;
 
 /* ---- The exact picture ---- */
@@ -55,8 +55,9 @@ static void frame_find_exact(void) {
     for (size_t face = 0; face < model->face_count; face++) {
         for (size_t i = 0; i < 3; i++) {
             struct pixel a, b;
-            if (to_pixel(model_position(model, face, i), SIDE, SIDE, &a) &&
-                to_pixel(model_position(model, face, (i + 1) % 3), SIDE, SIDE, &b)) {
+            struct vec3 p = seen(model_position(model, face, i), enlarged);
+            struct vec3 q = seen(model_position(model, face, (i + 1) % 3), enlarged);
+            if (to_pixel(p, SIDE, SIDE, &a) && to_pixel(q, SIDE, SIDE, &b)) {
                 add_exact_line(&frame.exact, a, b);
             }
         }
@@ -70,51 +71,31 @@ static void frame_find_exact(void) {
 
 enum frame_version { EVERY_TESTED, EVERY_CUT, ONCE_TESTED, ONE_DIRECTION, ENDS_ROUNDED, HOUSE };
 
-/* Every side of the faces, listed while it counts. */
-static void frame_draw_every(attempt_line *draw) {
-    list_sides(&frame.model, frame.listed);
-    attempt_draw(&frame.timed, &frame.model, frame.listed, 3 * frame.model.face_count, draw);
-}
+/* Which line() draws: number 0 of line_of(), or another one. */
+static const int frame_lines[] = {
+    [EVERY_TESTED] = 1, [ONCE_TESTED] = 1, [ENDS_ROUNDED] = 2, [HOUSE] = 0};
 
-static void frame_draw_once(attempt_line *draw) {
-    const struct wireframe *list = &frame.wireframe;
-    attempt_draw(&frame.timed, &frame.model, list->sides, list->side_count, draw);
-}
-
-static void frame_draw_one_direction(void) {
-    size_t count = attempt_one_direction(&frame.model, frame.listed);
-    attempt_draw(&frame.timed, &frame.model, frame.listed, count, line);
-}
-
-/* The scene as main.c draws it. */
-static void frame_draw_house(void) {
-    struct error error;
-    frame.drawing.counter_count = 0;
-    draw_wireframe(&frame.drawing, &frame.timed, &error);
+/* The sides that it draws. If that is not each of them once, they are listed while time counts. */
+static const struct wireframe *frame_list(int way) {
+    if (way == EVERY_TESTED || way == EVERY_CUT) {
+        list_sides(&frame.model, frame.every.sides);
+        frame.every.side_count = 3 * frame.model.face_count;
+        return &frame.every;
+    }
+    if (way == ONE_DIRECTION) {
+        frame.every.side_count = attempt_one_direction(&frame.model, frame.every.sides);
+        return &frame.every;
+    }
+    return &frame.once;
 }
 
 /* A frame begins with an empty image. */
 static void frame_run(struct bench_choice choice) {
     image_clear(&frame.timed, color_grey(0));
-    switch (choice.way) {
-    case EVERY_TESTED:
-        frame_draw_every(attempt_line_tested);
-        break;
-    case EVERY_CUT:
-        frame_draw_every(line);
-        break;
-    case ONCE_TESTED:
-        frame_draw_once(attempt_line_tested);
-        break;
-    case ONE_DIRECTION:
-        frame_draw_one_direction();
-        break;
-    case ENDS_ROUNDED:
-        frame_draw_once(attempt_line_ends_rounded);
-        break;
-    default:
-        frame_draw_house();
-    }
+    frame.drawing.counter_count = 0;
+    frame.drawing.value[0] = frame_lines[choice.way];
+    draw_sides(&frame.drawing, frame_list(choice.way), frame.model.positions, enlarged,
+               &frame.timed);
 }
 
 /* Wrong and missing pixels per 1000. */
@@ -129,8 +110,7 @@ static double frame_error(struct bench_choice choice) {
 
 /* ---- The lesson ---- */
 
-/* Read the bust, enlarged, with the middle of the face in the middle of the image. A square hole is
- * cut into it, so that it has a border. */
+/* Read the bust. A square hole is cut into it, so that it has a border. */
 static bool frame_read_model(struct model *model, struct error *error) {
     if (!model_read(model, BENCH_MODEL("bust.obj"), error)) {
         return false;
@@ -138,30 +118,22 @@ static bool frame_read_model(struct model *model, struct error *error) {
     size_t kept = 0;
     for (size_t face = 0; face < model->face_count; face++) {
         struct vec3 p = model_position(model, face, 0);
-        if (fabs(p.x) > hole || fabs(p.y - middle_y) > hole) {
+        if (fabs(p.x) > hole || fabs(p.y - enlarged.y) > hole) {
             model->faces[kept++] = model->faces[face];
         }
     }
     model->face_count = kept;
-    for (size_t i = 0; i < model->position_count; i++) {
-        model->positions[i].x *= enlargement;
-        model->positions[i].y = (model->positions[i].y - middle_y) * enlargement;
-    }
     return true;
 }
 
 static bool frame_setup(struct error *error) {
-    frame.drawing =
-        (struct drawing){.model = &frame.model, .skip = true, .state = &frame.wireframe};
+    frame.drawing = (struct drawing){.values = cut_values};
     if (!frame_read_model(&frame.model, error) ||
         !image_create(&frame.timed, SIDE, SIDE, IMAGE_GREY, error) ||
         !image_create(&frame.exact, SIDE, SIDE, IMAGE_GREY, error) ||
-        !prepare(&frame.drawing, SIDE, SIDE, error)) {
+        !wireframe_create(&frame.once, &frame.model, true, error) ||
+        !wireframe_create(&frame.every, &frame.model, false, error)) {
         return false;
-    }
-    frame.listed = calloc(3 * frame.model.face_count, sizeof *frame.listed);
-    if (frame.listed == NULL) {
-        return error_out_of_memory(error);
     }
     frame_find_exact();
     return true;

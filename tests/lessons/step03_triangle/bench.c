@@ -50,12 +50,8 @@ static enum block_kind attempt_block_kind(const struct edges *edges, int x, int 
 static void attempt_8_blocks(struct image *image, const struct vec2 p[3], struct color color) {
     struct fixed2 corner[3];
     struct edges edges;
-    for (int i = 0; i < 3; i++) {
-        if (!screen_snap(p[i], &corner[i])) {
-            return;
-        }
-    }
-    if (!edges_setup(&edges, corner[0], corner[1], corner[2], image->width, image->height)) {
+    if (!snap_corners(p, corner) ||
+        !edges_setup(&edges, corner[0], corner[1], corner[2], image->width, image->height)) {
         return;
     }
     struct attempt_box box = attempt_box(image, p);
@@ -78,9 +74,8 @@ static void attempt_8_blocks(struct image *image, const struct vec2 p[3], struct
 /* ---- What is drawn ---- */
 
 enum {
-    SIDE = 800,        /* of the image */
-    LARGE_COUNT = 24,  /* triangles of the fan */
-    LARGE_REACH = 4008 /* pixels from its middle to its rim, in x or in y */
+    SIDE = 800,                    /* of the image */
+    LARGE_REACH = 668 * SUBPIXELS, /* the rim of the fan is 6 times as far from its middle */
 };
 
 /* ---- Meshes, and which triangle each pixel shows ---- */
@@ -151,32 +146,21 @@ static bool make_bust(struct mesh *mesh, const struct image *image, struct error
 
 /* The middle of the fan is a pixel centre, and so is every other corner on its rim, which lies
  * some whole number of times as far as a pixel centre near by: then many centres lie on the side
- * between. The rim is a square walked counterclockwise. */
-static struct fixed2 large_corner(int i, struct random *random) {
-    const int side = LARGE_COUNT / 4, center = SIDE / 2 * SUBPIXELS + SUBPIXELS / 2;
-    int along = i % side * 2 - side; /* -side .. side - 2 along each side of the rim */
-    int x = side, y = along;
-    for (int turns = i / side % 4; turns > 0; turns--) {
-        int kept = x;
-        x = -y;
-        y = kept;
-    }
-    int32_t scale = LARGE_REACH / side * SUBPIXELS;
-    int32_t stray = i % 2 != 0 ? 0 : (int32_t)random_between(random, 1, scale / 2);
-    return (struct fixed2){center + x * scale + stray, center + y * scale - stray};
-}
-
+ * between. */
 static void make_fan(struct mesh *mesh) {
     struct random random = {3};
-    const struct fixed2 middle = {SIDE / 2 * SUBPIXELS + SUBPIXELS / 2,
-                                  SIDE / 2 * SUBPIXELS + SUBPIXELS / 2};
-    const struct fixed2 first = large_corner(0, &random);
-    struct fixed2 last = first;
-    mesh->triangles = bench_memory(LARGE_COUNT, sizeof *mesh->triangles);
-    for (int i = 1; i <= LARGE_COUNT; i++) {
-        struct fixed2 next = i < LARGE_COUNT ? large_corner(i, &random) : first;
-        mesh_add(mesh, (const struct fixed2[3]){middle, last, next});
-        last = next;
+    const int center = SIDE / 2 * SUBPIXELS + SUBPIXELS / 2;
+    struct fixed2 rim[FAN_BLADES + 1];
+    for (int i = 0; i < FAN_BLADES; i++) {
+        struct pixel p = fan_rim(i);
+        int32_t stray = i % 2 != 0 ? 0 : (int32_t)random_between(&random, 1, LARGE_REACH / 2);
+        rim[i] =
+            (struct fixed2){center + p.x * LARGE_REACH + stray, center + p.y * LARGE_REACH - stray};
+    }
+    rim[FAN_BLADES] = rim[0];
+    mesh->triangles = bench_memory(FAN_BLADES, sizeof *mesh->triangles);
+    for (int i = 0; i < FAN_BLADES; i++) {
+        mesh_add(mesh, (const struct fixed2[3]){{center, center}, rim[i], rim[i + 1]});
     }
     mesh_find_shown(mesh);
 }
@@ -249,26 +233,17 @@ static void fill_carried(struct image *image, const struct fixed2 corner[3], str
 
 /* ---- The attempts ---- */
 
-enum { HOUSE = 0, CARRIED = 9 }; /* ways 1 to 8 are the attempts */
+enum { HOUSE = 0, BLOCKS = 8, CARRIED = 9 }; /* the ways between are the attempts of attempts.h */
 
 static void fill(const struct filled *t, int way, struct image *image, struct color color) {
-    static void (*const attempts[])(struct image *, const struct vec2[3], struct color) = {
-        NULL,
-        attempt_1_sweep_whole,
-        attempt_2_sweep_float,
-        attempt_3_box_float,
-        attempt_4_box_double,
-        attempt_5_box_open,
-        attempt_6_box_epsilon,
-        attempt_7_edges_float,
-        attempt_8_blocks,
-    };
     if (way == HOUSE) {
         triangle(image, t->snapped, color);
     } else if (way == CARRIED) {
         fill_carried(image, t->snapped, color);
+    } else if (way == BLOCKS) {
+        attempt_8_blocks(image, t->corner, color);
     } else {
-        attempts[way](image, t->corner, color);
+        fill_attempt(way)(image, t->corner, color);
     }
 }
 
@@ -317,7 +292,7 @@ static const struct bench_version attempt_versions[] = {
     VERSION("5: box, open", 5),
     VERSION("6: box, epsilon", 6),
     VERSION("7: edges summed in float", 7),
-    VERSION("8: blocks, exact", 8),
+    VERSION("8: blocks, exact", BLOCKS),
     VERSION("spans by remainders", CARRIED),
     HOUSE_VERSION("spans, exact (main.c)", HOUSE),
 };

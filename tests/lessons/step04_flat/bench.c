@@ -25,9 +25,6 @@ static struct {
 
 enum { HOUSE = 0 }; /* ways 1 to 7 are the attempts */
 
-typedef double intensity_function(struct vec3 w0, struct vec3 w1, struct vec3 w2,
-                                  struct vec3 light);
-
 /* Called with a constant function, so that compilers make a loop without calls of it. */
 static inline void faces_shade(const struct model *model, struct vec3 light, double *levels,
                                intensity_function *intensity) {

@@ -4,20 +4,11 @@
 #endif
 #include "numbers.h"
 
-static struct face called_face = {
-    {{0, MODEL_NONE, MODEL_NONE}, {1, MODEL_NONE, MODEL_NONE}, {2, MODEL_NONE, MODEL_NONE}}};
-
-/* A model of one face with these corners. */
-static struct model called_of_one_face(struct vec3 corners[3]) {
-    return (struct model){
-        .positions = corners, .position_count = 3, .faces = &called_face, .face_count = 1};
-}
-
 /* In an image of 200 x 100. */
 static struct shown called_placed(struct vec3 a, struct vec3 b, struct vec3 c) {
     const struct image image = {.width = 200, .height = 100};
     struct vec3 corners[3] = {a, b, c};
-    const struct model model = called_of_one_face(corners);
+    const struct model model = one_face(corners);
     struct vertex v[3] = {{{0, 0}}};
     if (!place_face(&model, 0, &image, v)) {
         return show("false");
@@ -42,7 +33,7 @@ static long called_grey(struct vec3 moved, double size, struct vec3 to_light) {
     for (int i = 0; i < 3; i++) {
         corners[i] = vec3_add(vec3_scale(corners[i], size), moved);
     }
-    const struct model model = called_of_one_face(corners);
+    const struct model model = one_face(corners);
     return (long)floor(face_intensity(&model, 0, to_light) * 255 + 0.5);
 }
 

@@ -27,13 +27,13 @@ INLINED void attempt_triangle(struct image *image, const struct drawn *d, depth_
  * right one the farthest. */
 enum { SIDE = 800, CELLS = 8, CELL_SIDE = SIDE / CELLS, SHEETS_IN_CELL = 4, NOTHING = 0 };
 enum { PILE_KNOT, PILE_SHEETS, PILE_COUNT };
+#define RATIO 1e6 /* of their distances, far : near */
 
 /* Triangles to draw. Triangle i has the colour i + 1, as blue + 256 * green + 65536 * red. */
 struct pile {
     struct drawn *list;
     int64_t (*depths)[3]; /* the same depths as whole numbers of steps */
     double steps;         /* in a depth of 1: a power of 2 */
-    double far;           /* least depth that can be kept; the greatest is 1 */
     size_t count;
     uint32_t nearest[SIDE * SIDE]; /* the colour that each pixel should have, NOTHING for none */
     size_t seen;                   /* pixels with a colour */
@@ -113,17 +113,16 @@ static void add_sheet(struct pile *pile, int column, int row, double depth, stru
     pile_add(pile, upper);
 }
 
-/* The far end is `ratio` times as far as the near one; each cell is a little farther than the cell
+/* The far end is RATIO times as far as the near one; each cell is a little farther than the cell
  * before, always by the same factor. */
-static void make_sheets(struct pile *pile, double ratio) {
+static void make_sheets(struct pile *pile) {
     struct random random = {5};
     int cells = CELLS * CELLS;
     pile_allocate(pile, (size_t)cells * SHEETS_IN_CELL * 2);
     pile->steps = 0x1p52;
-    pile->far = 1 / ratio;
     for (int i = 0; i < cells * SHEETS_IN_CELL; i++) {
         int cell = i / SHEETS_IN_CELL;
-        double depth = pow(ratio, -(cell + 0.5) / cells); /* near / distance */
+        double depth = pow(RATIO, -(cell + 0.5) / cells); /* near / distance */
         add_sheet(pile, cell % CELLS, cell / CELLS, depth, &random);
     }
 }
@@ -171,7 +170,7 @@ static void run_knot(struct bench_choice choice) {
     struct canvas canvas = {.image = &bench.image, .depth = bench.buffer};
     memset(bench.image.pixels, 0, (size_t)SIDE * SIDE * 3);
     if (choice.way == FILE_ORDER) {
-        attempt_1_file_order(&bench.image, pile->list, pile->count);
+        attempt_draw(&bench.image, pile->list, pile->count, NULL, NULL);
     } else if (choice.way == PAINTER) {
         memcpy(bench.sorted, pile->list, pile->count * sizeof *pile->list);
         attempt_2_painter(&bench.image, bench.sorted, pile->count);
@@ -188,18 +187,9 @@ static void run_knot(struct bench_choice choice) {
 enum { FIXED_16, FIXED_24, FIXED_32, FLOAT, REVERSED, DOUBLE, KINDS };
 
 /* The tests of attempts.h take a depth in -1..1; these take whole steps, 0 being "nothing here". */
-#define KEEP_STEPS(name, type)                                                                     \
-    static inline bool name(void *buffer, size_t i, double depth) {                                \
-        type step = (type)depth;                                                                   \
-        if (!(step > ((type *)buffer)[i])) {                                                       \
-            return false;                                                                          \
-        }                                                                                          \
-        ((type *)buffer)[i] = step;                                                                \
-        return true;                                                                               \
-    }
-
-KEEP_STEPS(keep_16, uint16_t)
-KEEP_STEPS(keep_32, uint32_t)
+ATTEMPT_KEEP(keep_16, uint16_t, >, depth)
+ATTEMPT_KEEP(keep_32, uint32_t, >, depth)
+ATTEMPT_KEEP(keep_smaller, float, <, depth)
 
 static uint64_t tested, written;
 
@@ -217,7 +207,7 @@ static uint64_t tested, written;
 
 KEPT_TRIANGLE(triangle_16, keep_16)
 KEPT_TRIANGLE(triangle_32, keep_32)
-KEPT_TRIANGLE(triangle_float, attempt_keep_farther)
+KEPT_TRIANGLE(triangle_float, keep_smaller)
 KEPT_TRIANGLE(triangle_reversed, attempt_keep_float)
 
 static void triangle_double(const struct drawn *d) {
@@ -225,66 +215,47 @@ static void triangle_double(const struct drawn *d) {
     triangle(&canvas, d->v, d->color);
 }
 
-/* What a depth is kept in. */
+/* What a depth is kept in: offset + scale * depth. */
 struct kind {
     void (*draw)(const struct drawn *d);
-    size_t bytes; /* a pixel */
-    double most;  /* the greatest of whole steps; 0 for kinds that keep fractions */
-};
-
-static const struct kind kinds[KINDS] = {
-    [FIXED_16] = {.draw = triangle_16, .bytes = 2, .most = 0x1p16 - 1},
-    [FIXED_24] = {.draw = triangle_32, .bytes = 4, .most = 0x1p24 - 1},
-    [FIXED_32] = {.draw = triangle_32, .bytes = 4, .most = 0x1p32 - 1},
-    [FLOAT] = {.draw = triangle_float, .bytes = 4},
-    [REVERSED] = {.draw = triangle_reversed, .bytes = 4},
-    [DOUBLE] = {.draw = triangle_double, .bytes = 8},
-};
-
-static void clear_kept(void *buffer, int kind) {
-    const size_t pixels = (size_t)SIDE * SIDE;
-    switch (kind) {
-    case FLOAT:
-        attempt_fill_float(buffer, pixels, INFINITY);
-        break;
-    case REVERSED:
-        attempt_fill_float(buffer, pixels, -INFINITY);
-        break;
-    case DOUBLE:
-        depth_clear(buffer, pixels);
-        break;
-    default:
-        memset(buffer, 0, pixels * kinds[kind].bytes);
-    }
-}
-
-/* What is kept for a depth: offset + scale * depth. */
-struct mapping {
+    size_t bytes;  /* a pixel */
+    float nothing; /* what is there before the first triangle */
     double offset, scale;
 };
 
-/* Whole steps go from 1 (far) to most (near), and half a step is added: cutting off then rounds. */
-static struct mapping mapping_of(int kind, double far) {
-    if (kind == FLOAT) {
-        return (struct mapping){1, -1}; /* smaller is nearer */
+/* The least whole step is 1 (far); so many follow, up to the nearest. Half a step is added: cutting
+ * off then rounds. */
+#define STEPS(count) .offset = 1.5 - (count) / (RATIO - 1), .scale = (count) / (1 - 1 / RATIO)
+
+static const struct kind kinds[KINDS] = {
+    [FIXED_16] = {triangle_16, 2, STEPS(0x1p16 - 2)},
+    [FIXED_24] = {triangle_32, 4, STEPS(0x1p24 - 2)},
+    [FIXED_32] = {triangle_32, 4, STEPS(0x1p32 - 2)},
+    [FLOAT] = {triangle_float, 4, INFINITY, 1, -1}, /* smaller is nearer */
+    [REVERSED] = {triangle_reversed, 4, -INFINITY, 0, 1},
+    [DOUBLE] = {triangle_double, 8, -INFINITY, 0, 1},
+};
+
+static void clear_kept(const struct kind *kind) {
+    const size_t pixels = (size_t)SIDE * SIDE;
+    if (kind->bytes == sizeof(double)) {
+        depth_clear(bench.buffer, pixels);
+    } else if (kind->nothing == 0) {
+        memset(bench.buffer, 0, pixels * kind->bytes);
+    } else {
+        attempt_fill_float(bench.buffer, pixels, kind->nothing);
     }
-    if (kinds[kind].most == 0) {
-        return (struct mapping){0, 1};
-    }
-    double scale = (kinds[kind].most - 1) / (1 - far);
-    return (struct mapping){1.5 - scale * far, scale};
 }
 
 static void run_sheets(struct bench_choice choice) {
     const struct pile *pile = &bench.piles[PILE_SHEETS];
     const struct kind *kind = &kinds[choice.way];
-    struct mapping mapping = mapping_of(choice.way, pile->far);
     memset(bench.image.pixels, 0, (size_t)SIDE * SIDE * 3);
-    clear_kept(bench.buffer, choice.way);
+    clear_kept(kind);
     for (size_t i = 0; i < pile->count; i++) {
         struct drawn d = pile->list[i];
         for (int k = 0; k < 3; k++) {
-            d.v[k].depth = mapping.offset + mapping.scale * d.v[k].depth;
+            d.v[k].depth = kind->offset + kind->scale * d.v[k].depth;
         }
         kind->draw(&d);
     }
@@ -319,7 +290,7 @@ static bool depth_setup(struct error *error) {
         !make_knot(&piles[PILE_KNOT], &bench.image, error)) {
         return false;
     }
-    make_sheets(&piles[PILE_SHEETS], 1e6);
+    make_sheets(&piles[PILE_SHEETS]);
     bench.buffer = bench_memory((size_t)SIDE * SIDE, sizeof(double));
     bench.sorted = bench_memory(piles[PILE_KNOT].count, sizeof *bench.sorted);
     for (int i = 0; i < PILE_COUNT; i++) {

@@ -35,30 +35,17 @@ static struct shown called_depth_at(struct vec2 a, struct vec2 b, size_t width, 
     return show("%.5g", called_depths[column]);
 }
 
-/* Draw one segment or two, from end to end. */
-static void called_draw_row(const struct vec2 *ends, int count) {
+/* Draw one segment or two, from end to end, in a row. "-inf 10 20": its depths then, or "2 1 0":
+ * which of the segments each column shows; 0 is none. */
+static struct shown called_row(const struct vec2 *ends, int count, bool depths) {
+    struct shown shown = {""};
     called_begin(CALLED_SIDE, 1, -INFINITY);
     for (int i = 0; i < count; i++) {
         called_draw(ends[2 * i], ends[2 * i + 1], i + 1);
     }
-}
-
-/* "-inf 10 20": what the depths are then. */
-static struct shown called_row_of_depths(const struct vec2 *ends, int count) {
-    struct shown shown = {""};
-    called_draw_row(ends, count);
     for (int x = 0; x < CALLED_SIDE; x++) {
-        shown = show("%.180s%s%.5g", shown.text, x > 0 ? " " : "", called_depths[x]);
-    }
-    return shown;
-}
-
-/* "2 1 0": which of the segments each column shows; 0 is none. */
-static struct shown called_row_of_colors(const struct vec2 *ends, int count) {
-    struct shown shown = {""};
-    called_draw_row(ends, count);
-    for (int x = 0; x < CALLED_SIDE; x++) {
-        shown = show("%.180s%s%d", shown.text, x > 0 ? " " : "", image_get(&called_sheet, x, 0).r);
+        shown = show("%.180s%s%.5g", shown.text, x > 0 ? " " : "",
+                     depths ? called_depths[x] : image_get(&called_sheet, x, 0).r);
     }
     return shown;
 }
@@ -119,20 +106,20 @@ static void numbers(void) {
     const struct vec2 two[] = {{0.5, 30}, {4.5, 10}, {-1.5, 20}, {6.5, 20}};
     TEXT("5.1", "draw_segment() from (20.5, 34) to (744.5, 400): depth of column 480",
          called_depth_at(xy(20.5, 34), xy(744.5, 400), CALLED_LONG_ROW, 480), "266.54");
-    TEXT("5.1", "draw_segment() from (1.75, 10) to (5.75, 50): depths",
-         called_row_of_depths(rising, 1), "-inf -inf 17.5 27.5 37.5 47.5 -inf -inf");
+    TEXT("5.1", "draw_segment() from (1.75, 10) to (5.75, 50): depths", called_row(rising, 1, true),
+         "-inf -inf 17.5 27.5 37.5 47.5 -inf -inf");
     TEXT("5.1", "draw_segment() from (-1.5, 5) to (14.5, -11): depths",
-         called_row_of_depths(falling, 1), "3 2 1 0 -1 -2 -3 -4");
+         called_row(falling, 1, true), "3 2 1 0 -1 -2 -3 -4");
     TEXT("5.1", "draw_segment() from (-1.5, 5) to (14.5, -11): what is behind the 8 depths",
          called_depth_at(falling[0], falling[1], CALLED_SIDE, CALLED_SIDE), "-inf");
     TEXT("5.1",
          "draw_segment() in 1 from (0.5, 30) to (4.5, 10), in 2 from (-1.5, 20) to (6.5, 20): "
          "colors",
-         called_row_of_colors(two, 2), "1 1 1 2 2 2 0 0");
+         called_row(two, 2, false), "1 1 1 2 2 2 0 0");
     TEXT("5.1",
          "draw_segment() in 1 from (0.5, 30) to (4.5, 10), in 2 from (-1.5, 20) to (6.5, 20): "
          "depths",
-         called_row_of_depths(two, 2), "30 25 20 20 20 20 -inf -inf");
+         called_row(two, 2, true), "30 25 20 20 20 20 -inf -inf");
     TEXT("5.2", "triangle() in color 1 over depth 0.1: pixel (2,2)", called_drawn_over(0.1),
          "color 1, depth 0.15");
     TEXT("5.2", "triangle() in color 1 over depth 0.2: pixel (2,2)", called_drawn_over(0.2),

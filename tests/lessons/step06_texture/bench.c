@@ -45,9 +45,6 @@ static struct target targets[TARGETS];
 
 /* ---- Triangles ---- */
 
-typedef void draw_function(struct image *image, const struct vertex v[3],
-                           const struct texture *texture);
-
 /* The other versions of perspective show the nearest texel: a cheap sampler hides no time. */
 static inline void set_nearest(struct image *image, int x, int y, const struct texture *texture,
                                struct vec2 uv) {
@@ -131,12 +128,6 @@ static void draw_affine(struct image *image, const struct vertex v[3],
     }
 }
 
-static void draw_house(struct image *image, const struct vertex v[3],
-                       const struct texture *texture) {
-    struct canvas canvas = {.image = image, .sampler = SAMPLE_TRILINEAR, .skip = true};
-    perspective_triangle(&canvas, v, texture);
-}
-
 #define DRAW_EVERY(name, step)                                                                     \
     static void name(struct image *image, const struct vertex v[3],                                \
                      const struct texture *texture) {                                              \
@@ -158,23 +149,16 @@ enum {
     AFFINE,
 };
 
-static draw_function *const draws[] = {
-    [ROUNDING] = attempt_1_rounded,
-    [NEAREST] = attempt_2_nearest,
-    [HALF_OFF] = attempt_3_unshifted,
-    [BILINEAR] = attempt_4_no_levels,
-    [HOUSE] = draw_house,
-    [EVERY_1] = draw_every_1,
-    [EVERY_8] = draw_every_8,
-    [EVERY_16] = draw_every_16,
+static attempt_function *const draws[] = {
+    [ROUNDING] = attempt_1_rounded,   [NEAREST] = attempt_2_nearest,
+    [HALF_OFF] = attempt_3_unshifted, [BILINEAR] = attempt_4_no_levels,
+    [HOUSE] = attempt_6_levels,       [EVERY_1] = draw_every_1,
+    [EVERY_8] = draw_every_8,         [EVERY_16] = draw_every_16,
     [AFFINE] = draw_affine,
 };
 
 static void draw_target(struct target *target, int way) {
-    const struct vertex *c = target->corners;
-    const struct vertex first[3] = {c[0], c[1], c[2]}, second[3] = {c[0], c[2], c[3]};
-    draws[way](&target->image, first, &target->texture);
-    draws[way](&target->image, second, &target->texture);
+    attempt_quad(&target->image, target->corners, &target->texture, draws[way]);
 }
 
 /* Root of the mean squared error of the three channels of what was drawn last. */
@@ -228,11 +212,7 @@ static bool make_hill(struct target *hill, struct error *error) {
         return false;
     }
     texture_set_clamp(&hill->texture, true);
-    const int32_t end = HILL_SIDE * SUBPIXELS;
-    hill->corners[0] = (struct vertex){.position = {0, 0}, .uv = {0, 0}, .recip_w = 1};
-    hill->corners[1] = (struct vertex){.position = {end, 0}, .uv = {1, 0}, .recip_w = 1};
-    hill->corners[2] = (struct vertex){.position = {end, end}, .uv = {1, 1}, .recip_w = 1};
-    hill->corners[3] = (struct vertex){.position = {0, end}, .uv = {0, 1}, .recip_w = 1};
+    attempt_square(hill->corners, HILL_SIDE);
     for (size_t i = 0; i < (size_t)HILL_SIDE * HILL_SIDE; i++) {
         hill->exact[i] = hill_mean(i % HILL_SIDE, i / HILL_SIDE, HILL_SIDE);
     }

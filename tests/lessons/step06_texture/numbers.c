@@ -12,19 +12,11 @@ static struct image called_sheet = {CALLED_SIDE, CALLED_SIDE, IMAGE_BGR, called_
 
 /* A texture whose texel (x,y) is `texel(x, y)`. */
 static struct texture called_made(int width, int height, struct color (*texel)(int x, int y)) {
-    struct texture texture = {0};
-    struct image image;
+    struct texture texture;
     struct error error;
-    if (!image_create(&image, (size_t)width, (size_t)height, IMAGE_BGRA, &error)) {
+    if (!paint_picture(&texture, width, height, texel, &error)) {
         exit(1);
     }
-    for (int i = 0; i < width * height; i++) {
-        image_set(&image, i % width, i / width, texel(i % width, i / width));
-    }
-    if (!texture_create(&texture, &image, &error)) {
-        exit(1);
-    }
-    image_free(&image);
     return texture;
 }
 
@@ -45,23 +37,14 @@ static struct color called_framed(int x, int y) {
     return color_grey(x % 3 > 0 && y % 3 > 0 ? 250 : 10);
 }
 
-static struct color called_grey_0(int x, int y) {
-    return color_grey(0);
-}
-
-static struct color called_grey_100(int x, int y) {
-    return color_grey(100);
-}
-
-static struct color called_grey_200(int x, int y) {
-    return color_grey(200);
-}
-
 /* Levels 0, 1 and 2 are grey 0, 100 and 200. */
 static struct texture called_greys(void) {
-    struct texture texture = called_made(4, 4, called_grey_0);
-    texture.level[1] = called_made(2, 2, called_grey_100).level[0];
-    texture.level[2] = called_made(1, 1, called_grey_200).level[0];
+    struct texture texture = called_made(4, 4, called_framed);
+    for (uint32_t i = 0; i < texture.level_count; i++) {
+        for (size_t k = 0; k < texture.level[i].pitch * texture.level[i].height; k++) {
+            texture.level[i].texels[k] = 0xff000000 | 0x646464 * i;
+        }
+    }
     return texture;
 }
 
@@ -116,7 +99,7 @@ static struct vec3 called_middle(int x, int y) {
 static void numbers(void) {
     struct texture four = called_made(4, 3, called_numbered),
                    two = called_made(4, 2, called_drawing),
-                   wide = called_made(16, 8, called_grey_0);
+                   wide = called_made(16, 8, called_numbered);
     struct texture levels = called_greys(), inner = called_made(4, 4, called_framed);
     struct texture drawn_again = two;
     texture_set_clamp(&four, true);

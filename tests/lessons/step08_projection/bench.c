@@ -307,19 +307,12 @@ static void make_matrices(void) {
 
 /* ---- Clipping: scene closeup ---- */
 
-enum { UNCLIPPED, LEFT_OUT, CLIPPED };
-
-static attempt_draw *const draws[] = {
-    [UNCLIPPED] = attempt_7_unclipped,
-    [LEFT_OUT] = attempt_8_left_out,
-    [CLIPPED] = draw_model,
-};
-
 static void run_clip(struct bench_choice choice) {
     struct canvas canvas = make_canvas(&work.drawing, &work.small, whole_image(&work.small));
     depth_clear(work.depth, (size_t)SMALL_SIDE * SMALL_SIDE);
     work.drawing.counter_count = 0;
-    draws[choice.way](&work.drawing, &canvas, &work.views[0][1].to_clip);
+    work.drawing.value[0] = choice.way;
+    draw_model(&work.drawing, &canvas, &work.views[0][1].to_clip);
 }
 
 /* A face as rays see it: the ray through ndc (x, y) meets its plane at the sum of weight[i] times
@@ -426,6 +419,7 @@ static bool setup(struct error *error) {
         .depth = work.depth,
         .light = {1, 1, 2},
         .skip = true,
+        .values = attempt_values,
         .state = &work.state,
     };
     if (work.drawing.diffuse == NULL || !prepare(&work.drawing, SIDE, SIDE, error) ||
@@ -468,7 +462,7 @@ static const struct bench_version inverse_versions[] = {
 static const struct bench_version clip_versions[] = {
     VERSION("not clipped", UNCLIPPED),
     VERSION("crossing faces left out", LEFT_OUT),
-    HOUSE_VERSION("cut: the lesson", CLIPPED),
+    HOUSE_VERSION("cut: the lesson", CUT),
 };
 
 static const struct bench_panel bench_panels[] = {

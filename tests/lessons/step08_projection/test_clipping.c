@@ -30,20 +30,6 @@ static struct polygon random_triangle(int reach) {
                             3};
 }
 
-/* What has no place on the screen, or no depth, is not placed: too far off it, or z/w too large
- * for a number although z is one. */
-static void test_place(void) {
-    const struct mat4 to_screen = viewport(300, 200);
-    struct vertex v = {.recip_w = 0};
-    CHECK(place((struct vec4){1, -2, 3, 4}, &to_screen, &v));
-    CHECK(v.recip_w == 0.25 && v.depth == 0.75);
-    CHECK(v.position.x == (int32_t)(187.5 * 256) && v.position.y == 50 * 256);
-    CHECK(!place((struct vec4){0, 0, 1e308, 1.0 / 128}, &to_screen, &v));
-    CHECK(!place((struct vec4){0, 0, -1e308, 1.0 / 128}, &to_screen, &v));
-    CHECK(!place((struct vec4){1e30, 0, 0, 1}, &to_screen, &v));
-    CHECK(!place((struct vec4){0, NAN, 0, 1}, &to_screen, &v));
-}
-
 /* ---- The cut of one edge ---- */
 
 static long double exact_mix(double from, double to, long double t) {
@@ -132,5 +118,4 @@ static void test_corner_on_plane(void) {
     }
 }
 
-UNIT_MAIN(TEST(test_place), TEST(test_cut_is_accurate), TEST(test_cut_from_both_ends),
-          TEST(test_corner_on_plane))
+UNIT_MAIN(TEST(test_cut_is_accurate), TEST(test_cut_from_both_ends), TEST(test_corner_on_plane))

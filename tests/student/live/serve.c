@@ -199,7 +199,7 @@ static void answer_state(struct live *live, struct http_request *request) {
         start_child(live, &error);
     }
     bytes_print(&json, "{\"version\":%u,\"step\":\"%s\",\"message\":\"", live->version, live->step);
-    escape_json(&json, live->message.size > 0 ? (const char *)live->message.data : "");
+    escape_text(&json, escape_json, live->message.size > 0 ? (const char *)live->message.data : "");
     bytes_print(&json, "\",\"program\":%s}",
                 live->description.size > 1 ? (const char *)live->description.data : "null");
     http_answer(request, 200, "application/json", json.data, json.size);

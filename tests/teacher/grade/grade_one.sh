@@ -5,8 +5,8 @@
 # BUILD/solutions. LESSONS is 5 or 1-5. What the submission brings is only what unpack.sh takes:
 # everything else is the course's own. Its programs are built and run by contain.sh.
 #
-# OUT/submissions/NAME becomes: state (GRADED, or ERROR and a reason), seconds, report.html, .xml,
-# .json, .tap and .csv, log (what the check said), hidden (with SEED), sources, and of: sums of the
+# OUT/submissions/NAME becomes: state (GRADED, or ERROR and a reason), seconds, report.html, .xml
+# and .json, log (what the check said), hidden (with SEED), sources, and of: sums of the
 # submission, LESSONS and SEED. It comes as a whole or not at all, and what is there is not done
 # again while it is of the same: so a class that was stopped goes on where it was. NAME is that of the
 # submission, with %20 for a blank.
@@ -68,8 +68,8 @@ finish() {
     echo "$of" >"$work/result/of"
     chmod -R u+rw,go+rX "$work/result" && rm -rf "$result" && mv "$work/result" "$result" || exit 1
     rm -f "$out/.begun/$name"
-    points=$(awk -F, 'NR > 1 { got += $4; most += $5 } END { if (most) print got "/" most }' \
-        "$result/report.csv" 2>/dev/null)
+    points=$(sed -n '2N; s/^  "points": \([0-9]*\),\n  "most": \([0-9]*\),$/\1\/\2/p' \
+        "$result/report.json" 2>/dev/null)
     echo "$name $*${points:+ $points} ($(cat "$result/seconds") s)"
     exit 0
 }
@@ -104,11 +104,10 @@ limited() {
 limited "$work/result/log" "$build/check" --programs "$place_short" \
     --sources "$place/sources" --differences "$work/result/differences" \
     --make "$make" --note "$(contain_note)" --junit "$work/result/report.xml" \
-    --json "$work/result/report.json" --tap "$work/result/report.tap" \
-    --html "$work/result/report.html" --csv "$work/result/report.csv" $lessons
+    --json "$work/result/report.json" --html "$work/result/report.html" $lessons
 status=$?
 rm -rf "$work/result/differences"
-if [ ! -s "$work/result/report.csv" ]; then
+if [ ! -s "$work/result/report.json" ]; then
     case $status in
     124) finish "ERROR stopped after ${GRADE_SECONDS:-1200} s" ;;
     137) finish "ERROR killed by the submission" ;;
@@ -121,8 +120,8 @@ if [ -n "$seed" ]; then
     limited "$work/result/hidden" "$build/hidden" "$place_short" "$short/solutions" "$seed" '' \
         $lessons
     [ $? -lt 2 ] || finish "ERROR the hidden scenes cannot be tried: see hidden"
-    stored=$(awk -f tests/teacher/hidden/score.awk "$work/result/report.csv" "$work/result/hidden") ||
-        exit 1
+    stored=$(awk -f tests/check/report.awk -f tests/teacher/hidden/score.awk \
+        "$work/result/report.json" "$work/result/hidden") || exit 1
     [ -z "$stored" ] || echo "$stored" >>"$work/result/hidden"
 fi
 finish GRADED

@@ -26,8 +26,9 @@ for submission in "$out"/submissions/*/; do
     [ -s "$submission/state" ] || continue
     sed "s|^|$name	state	|; 1q" "$submission/state"
     sed "s|^|$name	seconds	|; 1q" "$submission/seconds"
-    [ ! -f "$submission/report.csv" ] ||
-        sed "1d; s|,|	|g; s|^|$name	task	|" "$submission/report.csv"
+    [ ! -f "$submission/report.json" ] ||
+        awk -v name="$name" -f tests/check/report.awk -f tests/teacher/grade/tasks.awk \
+            "$submission/report.json"
     [ ! -f "$submission/hidden" ] ||
         sed -n "s|^\(step[^ ]*\)  HIDDEN \([0-9]*\)/\([0-9]*\)|$name	hidden	\1	\2	\3|p
             s|^\(step[^ ]*\)  prints stored pictures.*|$name	stored	\1|p" "$submission/hidden"

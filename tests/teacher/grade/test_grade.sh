@@ -109,7 +109,7 @@ row solution "GRADED,$most,$most,3,3,.*"
 row starter "GRADED,0,$most,0,3,.*"
 row 'a%20b' "GRADED,$((most - 1)),$most,3,3,0,.*"
 row stored "GRADED,0,$most,0,3,.*,\"prints stored pictures: step01_line\""
-for file in report.html report.xml report.json report.tap report.csv log hidden sources; do
+for file in report.html report.xml report.json log hidden sources; do
     [ -e "../out/submissions/a%20b/$file" ] || wrong "a b has no $file"
 done
 grep -q 'looks like &quot;x and y exchanged' ../out/index.html || wrong "the page has no diagnosis"

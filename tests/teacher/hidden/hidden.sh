@@ -7,7 +7,7 @@
 # empty: all lessons. A solution is made of SOLUTION/step05_zbuffer/main.c where SOLUTION is given,
 # and otherwise of the marked source that git has or `make start` keeps (tests/student/marked.sh),
 # but never of the main.c that is judged; it is built in a separate directory, and removed. Where
-# POINTS is given, what `check --csv` wrote, lessons that print stored pictures lose theirs.
+# POINTS is given, what `check --json` wrote, lessons that print stored pictures lose theirs.
 #
 # Exit status: that of BUILD/hidden (hidden.c).
 
@@ -40,7 +40,7 @@ said=$(sh tests/teacher/hidden/solutions.sh --judged "$all" "$make" "$solution" 
 } | tee "$all/said" || fail 2 "the score could not be written to standard output"
 status=$(cat "$all/status")
 if [ -n "$points" ] && [ "$status" -lt 2 ]; then
-    awk -f tests/teacher/hidden/score.awk "$points" "$all/said" ||
+    awk -f tests/check/report.awk -f tests/teacher/hidden/score.awk "$points" "$all/said" ||
         fail 2 "the score could not be written to standard output"
 fi
 exit "$status"

@@ -1,13 +1,13 @@
 # Takes the points of lessons that print stored pictures, and tells the score then: of such a lesson
 # more than half of the points were got, but none of its hidden scenes.
 #
-#     awk -f score.awk POINTS HIDDEN
+#     awk -f report.awk -f score.awk POINTS HIDDEN
 #
-# POINTS is what `check --csv` wrote, HIDDEN what the hidden scenes said.
+# POINTS is what `check --json` wrote, HIDDEN what the hidden scenes said.
 FNR == NR {
-    if (split($0, field, ",") == 5 && FNR > 1) {
-        points[field[1]] += field[4]
-        most[field[1]] += field[5]
+    if (is_task()) {
+        points[step] += number_of("points")
+        most[step] += number_of("most")
     }
     next
 }

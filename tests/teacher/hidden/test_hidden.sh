@@ -118,8 +118,15 @@ built step01_line step05_zbuffer
 cp step05_zbuffer/main.c "$work/stored.c"
 
 # Half of the points of lesson 5: it may have tried.
-printf '%s\n' step,task,state,points,most step01_line,1.1,PASS,6,10 step05_zbuffer,5.1,PASS,2,2 \
-    step05_zbuffer,5.2,FAIL,3,8 >points
+# task STEP TASK STATE POINTS MOST
+task() {
+    printf '"step": "%s"\n{"task": "%s", "state": "%s", "points": %s, "most": %s}\n' "$@"
+}
+{
+    task step01_line 1.1 PASS 6 10
+    task step05_zbuffer 5.1 PASS 2 2
+    task step05_zbuffer 5.2 FAIL 3 8
+} >points
 hidden 1 1 '' "$work" points
 says 'HIDDEN 0/[1-9][0-9]*'
 says '  hidden: lines: wrong'

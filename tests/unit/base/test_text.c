@@ -11,21 +11,19 @@
 static void take_apart(const char *data, size_t size, bool continuation, char *out, size_t room) {
     struct text text;
     struct error error;
-    size_t used = 0;
     out[0] = '\0';
     if (!text_begin(&text, data, size, continuation, &error)) {
         snprintf(out, room, "error %zu: %.200s", error.line, error.message);
         return;
     }
     while (text_next_line(&text)) {
-        used += (size_t)snprintf(out + used, room - used, "%s%zu:", used > 0 ? " " : "", text.line);
+        string_append(out, room, "%s%zu:", out[0] != '\0' ? " " : "", text.line);
         for (bool first = true;; first = false) {
             struct word word = text_next_word(&text);
             if (word.length == 0) {
                 break;
             }
-            used += (size_t)snprintf(out + used, room - used, "%s%.*s", first ? "" : "|",
-                                     (int)word.length, word.start);
+            string_append(out, room, "%s%.*s", first ? "" : "|", (int)word.length, word.start);
         }
     }
 }

@@ -435,30 +435,6 @@ static void test_compress(void) {
     }
 }
 
-/* Noise, and among it bytes that are as frequent as Fibonacci's numbers (the end of the block is
- * the first 1): the best codes would have 17 bits. */
-static void test_limit_of_codes(void) {
-    enum { SIZE = 16000 };
-    static uint8_t data[SIZE];
-    uint32_t state = 22;
-    size_t place = 0;
-    for (size_t i = 0; i < SIZE; i++) {
-        data[i] = (uint8_t)(100 + next_random(&state) % 64);
-    }
-    for (unsigned byte = 0, count = 1, before = 1; byte < 13; byte++) {
-        for (unsigned i = 0; i < count; i++, place += 37) {
-            data[place % SIZE] = (uint8_t)byte;
-        }
-        count += before;
-        before = count - before;
-    }
-    struct bytes stream = {0};
-    struct error error;
-    CHECK(zlib_compress(data, SIZE, &stream, &error));
-    CHECK(gives(stream.data, stream.size, data, SIZE, &error));
-    bytes_free(&stream);
-}
-
 UNIT_MAIN(TEST(test_right_blocks), TEST(test_wrong_blocks), TEST(test_stored_after_others),
           TEST(test_matches_near_end), TEST(test_long_codes), TEST(test_zlib_header),
-          TEST(test_empty_blocks), TEST(test_compress), TEST(test_limit_of_codes))
+          TEST(test_empty_blocks), TEST(test_compress))

@@ -8,7 +8,6 @@
 #include "files/png.h"
 
 #include "base/file.h"
-#include "files/deflate.h"
 #include "unit/chunks.h"
 
 #include <math.h>
@@ -400,11 +399,14 @@ static struct image make_image(size_t width, size_t height, enum image_format fo
     return image;
 }
 
+/* In all just so many bytes: with another choice of filters they are other ones, and so are the
+ * lessons' pictures. */
 static void test_round_trip(void) {
     static const enum image_format formats[] = {IMAGE_GREY, IMAGE_BGR, IMAGE_BGRA};
     static const uint8_t color_types[] = {0, 2, 6};
     static const size_t sizes[][2] = {{1, 1}, {2, 1}, {1, 3}, {64, 50}, {131, 3}};
     uint32_t state = 4;
+    size_t total = 0;
     for (size_t i = 0; i < 3 * PICTURES * 5; i++) {
         struct bytes file = {0};
         struct image again;
@@ -417,40 +419,12 @@ static void test_round_trip(void) {
         if (CHECK(decode_exact(png_decode, &again, file.data + 1, file.size - 1, &error))) {
             CHECK(same_image(&image, &again));
         }
+        total += file.size;
         image_free(&again);
         image_free(&image);
         bytes_free(&file);
     }
-}
-
-/* The filters that the encoder chose, as a set of bits. The file has one IDAT chunk after IHDR. */
-static unsigned filters_of(const struct image *image) {
-    struct bytes file = {0};
-    struct error error;
-    unsigned set = 0;
-    size_t row = 1 + image->width * (size_t)image->format;
-    uint8_t *raw = new_memory(image->height * row);
-    CHECK(png_encode(image, &file, &error));
-    size_t size = (size_t)file.data[33] << 24 | (size_t)file.data[34] << 16 |
-                  (size_t)file.data[35] << 8 | file.data[36];
-    CHECK(memcmp(file.data + 37, "IDAT", 4) == 0);
-    CHECK(zlib_decompress(file.data + 41, size, raw, image->height * row, &error));
-    for (size_t y = 0; y < image->height; y++) {
-        set |= 1u << raw[y * row];
-    }
-    free(raw);
-    bytes_free(&file);
-    return set;
-}
-
-static void test_choice_of_filters(void) {
-    uint32_t state = 5;
-    struct image image = make_image(90, 90, IMAGE_GREY, STAIRS, &state);
-    CHECK(filters_of(&image) == (1 << 1 | 1 << 2)); /* Sub and Up */
-    image_free(&image);
-    image = make_image(90, 90, IMAGE_BGR, SHADES, &state);
-    CHECK(filters_of(&image) == (1 << 1 | 1 << 4)); /* Sub and Paeth */
-    image_free(&image);
+    CHECK(total == 39225);
 }
 
 /* ---- Animation ---- */
@@ -568,5 +542,5 @@ static void test_still_animation(void) {
     bytes_free(&file);
 }
 
-UNIT_MAIN(TEST(test_every_kind), TEST(test_chunks), TEST(test_round_trip),
-          TEST(test_choice_of_filters), TEST(test_animation), TEST(test_still_animation))
+UNIT_MAIN(TEST(test_every_kind), TEST(test_chunks), TEST(test_round_trip), TEST(test_animation),
+          TEST(test_still_animation))

@@ -10,29 +10,6 @@ enum { ROUNDS = 3000 };
 /* What rounding a number near 1 costs at most. */
 static const double ulp = sizeof(real) == sizeof(float) ? 0x1p-24 : 0x1p-53;
 
-/* Its numbers, one after the other. */
-struct numbers {
-    real at[LANES];
-};
-
-static struct numbers numbers_of(lanes a) {
-    struct numbers numbers;
-    memcpy(numbers.at, &a, sizeof numbers.at);
-    return numbers;
-}
-
-static lanes lanes_of(struct numbers numbers) {
-    lanes a;
-    memcpy(&a, numbers.at, sizeof a);
-    return a;
-}
-
-static int32_t int_at(lanes_int a, int i) {
-    int32_t numbers[LANES];
-    memcpy(numbers, &a, sizeof numbers);
-    return numbers[i];
-}
-
 /* Any number; often a whole one, a half, one that is negative or just below another. */
 static real any_number(struct random *random) {
     static const real special[] = {0, 1, -1, 0.5f, -0.5f, 254.5f, 255, 256, -3, 127.5f};
@@ -47,10 +24,10 @@ static real any_number(struct random *random) {
     return number;
 }
 
-static struct numbers any_numbers(struct random *random) {
-    struct numbers numbers;
+static lanes any_numbers(struct random *random) {
+    lanes numbers = {0};
     for (int i = 0; i < LANES; i++) {
-        numbers.at[i] = any_number(random);
+        numbers[i] = any_number(random);
     }
     return numbers;
 }
@@ -69,19 +46,16 @@ static void test_one_number(void) {
     struct random random = {91};
     bool right = true;
     for (int round = 0; round < ROUNDS; round++) {
-        struct numbers a = any_numbers(&random);
-        lanes given = lanes_of(a);
+        lanes given = any_numbers(&random);
         real number = any_number(&random);
-        struct numbers all = numbers_of(lanes_all(number));
-        struct numbers root = numbers_of(lanes_sqrt(given * given));
-        struct numbers floors = numbers_of(lanes_floor(given));
-        struct numbers back = numbers_of(lanes_from_int(lanes_to_int(given)));
+        lanes all = lanes_all(number), root = lanes_sqrt(given * given);
+        lanes floors = lanes_floor(given), back = lanes_from_int(lanes_to_int(given));
         lanes_int whole = lanes_to_int(given);
         for (int i = 0; i < LANES; i++) {
-            real x = a.at[i];
-            right = right && same(all.at[i], number) && same(root.at[i], square_root(x * x)) &&
-                    same(floors.at[i], (real)floor((double)x)) && int_at(whole, i) == (int32_t)x &&
-                    same(back.at[i], (real)(int32_t)x);
+            real x = given[i];
+            right = right && same(all[i], number) && same(root[i], square_root(x * x)) &&
+                    same(floors[i], (real)floor((double)x)) && whole[i] == (int32_t)x &&
+                    same(back[i], (real)(int32_t)x);
         }
     }
     CHECK(right);
@@ -104,24 +78,21 @@ static void test_two_numbers(void) {
     struct random random = {92};
     bool right = true;
     for (int round = 0; round < ROUNDS; round++) {
-        struct numbers a, b;
+        lanes a = {0}, b = {0};
         int first = round % LANES;
         for (int i = 0; i < LANES; i++) {
-            a.at[i] = any_special(&random);
-            b.at[i] = random_bits(&random) % 4 == 0 ? a.at[i] : any_special(&random);
+            a[i] = any_special(&random);
+            b[i] = random_bits(&random) % 4 == 0 ? a[i] : any_special(&random);
         }
-        lanes_mask less = lanes_of(a) < lanes_of(b);
-        struct numbers most = numbers_of(lanes_max(lanes_of(a), lanes_of(b)));
-        struct numbers least = numbers_of(lanes_min(lanes_of(a), lanes_of(b)));
-        struct numbers other = numbers_of(lanes_select(less, lanes_of(b), lanes_of(a)));
-        struct numbers joined = numbers_of(lanes_join(lanes_of(a), first, lanes_of(b)));
-        lanes_int level = lanes_level(lanes_of(a)); /* 0 of what is no number */
+        lanes_mask less = a < b;
+        lanes most = lanes_max(a, b), least = lanes_min(a, b), other = lanes_select(less, b, a);
+        lanes joined = lanes_join(a, first, b);
+        lanes_int level = lanes_level(a); /* 0 of what is no number */
         for (int i = 0; i < LANES; i++) {
-            real x = a.at[i], y = b.at[i], bounded = x > 0 ? (x < 255 ? x : 255) : 0;
-            right = right && int_at(level, i) == (int32_t)(bounded + 0.5f) &&
-                    same_bits(most.at[i], x > y ? x : y) && same_bits(least.at[i], x < y ? x : y) &&
-                    same_bits(other.at[i], x < y ? y : x) &&
-                    same_bits(joined.at[i], i < first ? x : y) &&
+            real x = a[i], y = b[i], bounded = x > 0 ? (x < 255 ? x : 255) : 0;
+            right = right && level[i] == (int32_t)(bounded + 0.5f) &&
+                    same_bits(most[i], x > y ? x : y) && same_bits(least[i], x < y ? x : y) &&
+                    same_bits(other[i], x < y ? y : x) && same_bits(joined[i], i < first ? x : y) &&
                     lanes_is_set(less, i) == (x < y) && lanes_is_set(lanes_all_set(), i) &&
                     lanes_is_set(less & lanes_all_set(), i) == (x < y);
         }
@@ -131,10 +102,10 @@ static void test_two_numbers(void) {
 
 static void test_sequences(void) {
     lanes_int whole = lanes_int_from(-7);
-    struct numbers reals = numbers_of(lanes_from(100000));
+    lanes reals = lanes_from(100000);
     uint64_t sum = 0;
     for (int i = 0; i < LANES; i++) {
-        CHECK(int_at(whole, i) == -7 + i && same(reals.at[i], (real)(100000 + i)));
+        CHECK(whole[i] == -7 + i && same(reals[i], (real)(100000 + i)));
         sum += (uint64_t)i + 3;
     }
     CHECK(lanes_sum(lanes_int_from(3)) == sum);
@@ -168,25 +139,21 @@ static void test_colors(void) {
     struct random random = {93};
     bool right = true;
     for (int round = 0; round < ROUNDS; round++) {
-        struct numbers r = any_numbers(&random), g = any_numbers(&random), b = any_numbers(&random);
-        lanes_texel color = lanes_rgb(lanes_of(r), lanes_of(g), lanes_of(b));
-        int32_t set[LANES];
+        lanes r = any_numbers(&random), g = any_numbers(&random), b = any_numbers(&random);
+        lanes_texel color = lanes_rgb(r, g, b);
         uint32_t bits = 0; /* one for each lane whose mask is set */
-        lanes_int mask;
+        lanes_int mask = {0};
         for (int i = 0; i < LANES; i++) {
-            set[i] = -(int32_t)(random_bits(&random) % 2);
-            bits |= (uint32_t)set[i] & UINT32_C(1) << i;
+            mask[i] = -(int32_t)(random_bits(&random) % 2);
+            bits |= (uint32_t)mask[i] & UINT32_C(1) << i;
         }
-        memcpy(&mask, set, sizeof mask);
         lanes_texel chosen = lanes_texel_select(mask, color, lanes_black());
         right = right && lanes_bits(mask) == bits;
         for (int i = 0; i < LANES; i++) {
-            uint32_t texel = (uint32_t)int_at(lanes_level(lanes_of(b)), i) |
-                             (uint32_t)int_at(lanes_level(lanes_of(g)), i) << 8 |
-                             (uint32_t)int_at(lanes_level(lanes_of(r)), i) << 16 |
-                             UINT32_C(0xFF000000);
+            uint32_t texel = (uint32_t)lanes_level(b)[i] | (uint32_t)lanes_level(g)[i] << 8 |
+                             (uint32_t)lanes_level(r)[i] << 16 | UINT32_C(0xFF000000);
             right = right && lanes_texel_at(color, i) == texel &&
-                    lanes_texel_at(chosen, i) == (set[i] ? texel : UINT32_C(0xFF000000));
+                    lanes_texel_at(chosen, i) == (mask[i] ? texel : UINT32_C(0xFF000000));
         }
     }
     CHECK(right);
@@ -225,36 +192,27 @@ static bool is_level(real value) {
     return value >= 0 && (double)value <= 255 * (1 + 16 * ulp);
 }
 
-static bool sample_is_right(const struct texture *texture, size_t level, struct numbers u,
-                            struct numbers v) {
-    struct lanes2 uv = {lanes_of(u), lanes_of(v)};
+static bool sample_is_right(const struct texture *texture, size_t level, struct lanes2 uv) {
     struct lanes3 got = texture_lanes(texture, uv, level);
     struct texel_place place = {0};
     struct texels texels = texture_fetch(texture, uv, level, &place);
     struct texels again = texture_fetch(texture, uv, level, &place);
-    struct lanes3 twice = texels_mix(&again);
-    lanes x = uv.x, y = uv.y, index = lanes_all(0);
-    texture_locate(texture, level, &x, &y, &index);
-    struct lanes3 located = texture_located(texture, level, x, y, &index);
     size_t last = texture->level_count - 1;
     const struct texture_level *l = &texture->level[level < last ? level : last];
     double tolerance = sample_tolerance(l->width, l->height);
     bool right = memcmp(&texels, &again, sizeof texels) == 0;
-    right = right && memcmp(&located, &got, sizeof located) == 0;
     for (int i = 0; i < LANES; i++) {
-        double far = fmax(fabs((double)u.at[i]), fabs((double)v.at[i]));
-        bool nowhere = !isfinite(u.at[i] + v.at[i]) || (!texture->clamp && far > 1e6);
+        double far = fmax(fabs((double)uv.x[i]), fabs((double)uv.y[i]));
+        bool nowhere = !isfinite(uv.x[i] + uv.y[i]) || (!texture->clamp && far > 1e6);
         if (nowhere) { /* any place will do */
-            right = right && is_level(numbers_of(got.x).at[i]) &&
-                    is_level(numbers_of(got.y).at[i]) && is_level(numbers_of(got.z).at[i]);
+            right = right && is_level(got.x[i]) && is_level(got.y[i]) && is_level(got.z[i]);
             continue;
         }
         struct vec4 exact =
-            texture_bilinear(texture, (struct vec2){(double)u.at[i], (double)v.at[i]}, level);
-        right = right && fabs((double)numbers_of(got.x).at[i] - exact.x) <= tolerance &&
-                fabs((double)numbers_of(got.y).at[i] - exact.y) <= tolerance &&
-                fabs((double)numbers_of(got.z).at[i] - exact.z) <= tolerance &&
-                same(numbers_of(twice.x).at[i], numbers_of(got.x).at[i]);
+            texture_bilinear(texture, (struct vec2){(double)uv.x[i], (double)uv.y[i]}, level);
+        right = right && fabs((double)got.x[i] - exact.x) <= tolerance &&
+                fabs((double)got.y[i] - exact.y) <= tolerance &&
+                fabs((double)got.z[i] - exact.z) <= tolerance;
     }
     return right;
 }
@@ -265,14 +223,14 @@ static void check_texture(size_t width, size_t height, struct random *random) {
     struct texture texture = {0};
     bool right = random_texture(&texture, width, height, IMAGE_BGR, &texture_state);
     for (int round = 0; right && round < 200; round++) {
-        struct numbers u, v;
+        struct lanes2 uv = {{0}, {0}};
         for (int i = 0; i < LANES; i++) {
-            u.at[i] = any_coordinate(random, width);
-            v.at[i] = any_coordinate(random, height);
+            uv.x[i] = any_coordinate(random, width);
+            uv.y[i] = any_coordinate(random, height);
         }
         size_t level = random_bits(random) % (texture.level_count + 1); /* one too many */
         texture_set_clamp(&texture, round % 2 == 0);
-        right = sample_is_right(&texture, level, u, v);
+        right = sample_is_right(&texture, level, uv);
     }
     CHECK(right);
     texture_free(&texture);

@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <time.h>
 
-enum { SIZE = 32, FACES = 24, MESH_LIMIT = 15000 };
+enum { SIZE = 32, FACES = 24, MESH_LIMIT = 3 * FACES };
 
 /* ---- Small models ---- */
 
@@ -49,7 +49,7 @@ static void make_soup(struct mesh *mesh, struct random *random) {
 
 struct uniforms {
     const struct model *model;
-    size_t first_face, varying_count;
+    size_t first_face;
 };
 
 static void number_vertex(const void *uniforms, size_t face, size_t corner, double *varyings) {
@@ -85,7 +85,7 @@ static bool frame_begin(int way) {
 
 static void frame_draw(const struct mesh *mesh, struct mat4 to_clip, const struct shader *shader) {
     struct error error;
-    struct uniforms uniforms = {&mesh->model, faces_drawn, shader->varying_count};
+    struct uniforms uniforms = {&mesh->model, faces_drawn};
     struct draw_call call = {
         .model = &mesh->model, .to_clip = to_clip, .viewport = {0, 0, SIZE, SIZE}};
     CHECK(pipeline_draw(&target.pipeline, &call, shader, &uniforms, sizeof uniforms, &error));
@@ -172,43 +172,6 @@ static void test_object_too_large_to_judge(void) {
 
 /* ---- Varyings ---- */
 
-/* What is prepared is so once, whichever way the pixels are shaded. */
-static void add_five(const void *uniforms, lanes *varyings) {
-    (void)uniforms;
-    varyings[1] = 2 * varyings[0];
-    varyings[0] += 5;
-}
-
-static lanes_mask prepared_fragment(const void *uniforms, const lanes *varyings,
-                                    lanes_texel *color) {
-    (void)uniforms;
-    *color = lanes_rgb(varyings[0], varyings[1], lanes_all(7));
-    return lanes_all_set();
-}
-
-SHADER(prepared, .varying_count = 1, .vertex = number_vertex, .prepare = add_five,
-       .fragment = prepared_fragment);
-SHADER(prepared_flat, .varying_count = 1, .flat = true, .vertex = number_vertex,
-       .prepare = add_five, .fragment = prepared_fragment);
-SHADER(prepared_discarding, .varying_count = 1, .vertex = number_vertex, .prepare = add_five,
-       .fragment = prepared_fragment, .discards = true);
-
-static void test_prepared(void) {
-    static struct mesh mesh;
-    static const struct shader *const shaders[] = {&prepared, &prepared_flat, &prepared_discarding};
-    make_cover(&mesh, 1);
-    for (int i = 0; i < 6; i++) {
-        size_t wrong = 0;
-        draw_alone(&mesh, place_is_xyw, shaders[i / 2], i % 2);
-        for (int pixel = 0; pixel < SIZE * SIZE; pixel++) {
-            struct color c = image_get(&target.image, pixel % SIZE, pixel / SIZE);
-            wrong += c.r != 6 || c.g != 2 || c.b != 7;
-        }
-        CHECK(wrong == 0);
-        target_free(&target);
-    }
-}
-
 /* Of a place, what is smaller than a level. */
 static void place_vertex(const void *uniforms, size_t face, size_t corner, double *varyings) {
     const struct uniforms *u = uniforms;
@@ -233,58 +196,12 @@ SHADER(place_shader, .varying_count = 3, .vertex = place_vertex, .fragment = pla
 
 /* ---- Clipping ---- */
 
-/* Faces that reach behind the eye, in one half of the view: at its right, or at its left. */
-static void add_clipped_faces(struct mesh *mesh, size_t count, double side, struct random *random) {
-    for (size_t i = 0; i < count; i++) {
-        uint32_t corner[3];
-        for (int k = 0; k < 3; k++) {
-            corner[k] =
-                mesh_vertex(mesh, side * random_real(random, 0.05, 2), random_real(random, -2, 2),
-                            k == 0 ? random_real(random, -1, -0.1) : random_real(random, 0.3, 2));
-        }
-        mesh_face(mesh, corner[0], corner[1], corner[2]);
-    }
-}
-
-/* What a face is cut into is its own, also in a later block of faces: those at the right look the
- * same when thousands of others come before them. */
-static void test_clipped_in_every_block(void) {
-    enum { BEFORE = 4500, FACES_SEEN = 40 };
-    static struct mesh few, many;
-    struct random random = {18}, again = random;
-    mesh_begin(&few);
-    add_clipped_faces(&few, FACES_SEEN, 1, &random);
-    mesh_begin(&many);
-    add_clipped_faces(&many, BEFORE, -1, &random);
-    add_clipped_faces(&many, FACES_SEEN, 1, &again);
-    draw_alone(&few, place_is_xyw, &place_shader, 0);
-    struct target seen = target;
-    CHECK(seen.pipeline.stats[STAT_FACES_CLIPPED] > FACES_SEEN / 2 &&
-          frame_count(0) < SIZE * SIZE * 7 / 8);
-    draw_alone(&many, place_is_xyw, &place_shader, 0);
-    CHECK(target.pipeline.stats[STAT_FACES_CLIPPED] > BEFORE / 2);
-    for (size_t y = 0; y < SIZE; y++) {
-        size_t half = (y * SIZE + SIZE / 2) * IMAGE_BGR;
-        CHECK(memcmp(seen.image.pixels + half, target.image.pixels + half, SIZE / 2 * IMAGE_BGR) ==
-              0);
-    }
-    target_free(&seen);
-    target_free(&target);
-}
-
 /* Clip space has no unit: times 2^700 it is the same to the last bit, though no float holds 1/w. */
 static void test_scale_of_clip_space(void) {
     static struct mesh mesh;
     struct random random = {19};
     for (int i = 0; i < 20; i++) {
-        mesh_begin(&mesh);
-        for (uint32_t k = 0; k < 12; k++) {
-            mesh_vertex(&mesh, random_real(&random, -1, 1), random_real(&random, -1, 1),
-                        random_real(&random, -3, 1.5));
-            if (k % 3 == 2) {
-                mesh_face(&mesh, k - 2, k - 1, k);
-            }
-        }
+        make_soup(&mesh, &random);
         struct mat4 to_clip = mat4_projection(2), larger = to_clip;
         for (int k = 0; k < 16; k++) {
             larger.m[k / 4][k % 4] *= 0x1p700;
@@ -481,8 +398,7 @@ static void test_errors(void) {
     pipeline_free(&pipeline);
 }
 
-UNIT_MAIN(TEST(test_face_past_a_corner), TEST(test_object_too_large_to_judge), TEST(test_prepared),
+UNIT_MAIN(TEST(test_face_past_a_corner), TEST(test_object_too_large_to_judge),
           TEST(test_cut_from_both_ends), TEST(test_nearest_w), TEST(test_depth_overflows),
-          TEST(test_clipped_in_every_block), TEST(test_scale_of_clip_space), TEST(test_grid_cell),
-          TEST(test_not_finite), TEST(test_wrapped_level), TEST(test_far_apart),
-          TEST(test_threads_end), TEST(test_errors))
+          TEST(test_scale_of_clip_space), TEST(test_grid_cell), TEST(test_not_finite),
+          TEST(test_wrapped_level), TEST(test_far_apart), TEST(test_threads_end), TEST(test_errors))

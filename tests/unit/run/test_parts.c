@@ -12,19 +12,16 @@
 /* Faces by their first positions, and the colour of the texture. */
 static void describe(const struct parts *parts, size_t i, char *text, size_t size) {
     const struct drawing_part *part = &parts->part[i];
-    size_t length = strlen(text);
     for (size_t face = 0; face < part->model.face_count; face++) {
-        snprintf(text + length, size - length, "%u", part->model.faces[face].corner[0].position);
-        length = strlen(text);
+        string_append(text, size, "%u", part->model.faces[face].corner[0].position);
     }
-    snprintf(text + length, size - length, " %06X%s", part->diffuse.level[0].texels[0] & 0xFFFFFF,
-             part->diffuse.clamp ? " c" : "");
-    length = strlen(text);
+    string_append(text, size, " %06X%s", part->diffuse.level[0].texels[0] & 0xFFFFFF,
+                  part->diffuse.clamp ? " c" : "");
     if (part->ambient.level_count > 0) {
-        snprintf(text + length, size - length, " Ka %06X%s",
-                 part->ambient.level[0].texels[0] & 0xFFFFFF, part->ambient.clamp ? " c" : "");
+        string_append(text, size, " Ka %06X%s", part->ambient.level[0].texels[0] & 0xFFFFFF,
+                      part->ambient.clamp ? " c" : "");
     }
-    strcat(text, ";");
+    string_append(text, size, ";");
 }
 
 /* Read a model of these faces and materials; CHECK what its parts are. */
@@ -93,11 +90,8 @@ static void test_parts(void) {
                              first->diffuse.texels == second->diffuse.texels &&
                              first->specular_weight == -1 && first->power == 5 &&
                              second->specular.level_count == 0 && second->specular_weight == 0.5));
-            uint64_t bytes = parts.bytes_read;
             size_t pictures = parts.picture_count;
-            CHECK(i != 1 || bytes == file_size(name_file(&place, "red.png")));
-            CHECK(parts_make(&parts, &model, &missing, &error) && parts.bytes_read == bytes);
-            CHECK(parts.picture_count == pictures);
+            CHECK(parts_make(&parts, &model, &missing, &error) && parts.picture_count == pictures);
             for (size_t k = 0; k < parts.count; k++) {
                 describe(&parts, k, again, sizeof again);
             }

@@ -1,16 +1,14 @@
 /* The frame that all programs share: options, scenes, files, errors, exit statuses. */
-#define _POSIX_C_SOURCE 200809L
-#include "base/file.h"
+#define _XOPEN_SOURCE 700 /* POSIX.1-2008 with mkdtemp() */
+
 #include "files/image_file.h"
 #include "program.h"
 #include "run/live.h"
+#include "unit/place.h"
 #include "unit/streams.h"
 
 #include <fcntl.h>
-#include <stdlib.h>
-#include <sys/stat.h>
 #include <time.h>
-#include <unistd.h>
 
 /* ---- A program to try ---- */
 
@@ -120,15 +118,9 @@ static struct program with_scenes(const struct program *program, const struct sc
 
 enum { ARGUMENT_LIMIT = 16, OUTPUT_LIMIT = 8192 };
 
-static char directory[] = "/tmp/test_program.XXXXXX";
+static struct place place;        /* where they all work */
 static char output[OUTPUT_LIMIT]; /* standard output and error of the last run */
 static size_t output_size;
-
-static const char *in_directory(const char *name) {
-    static char path[256];
-    snprintf(path, sizeof path, "%s/%s", directory, name);
-    return path;
-}
 
 static void keep_output(int file) {
     ssize_t size = pread(file, output, sizeof output - 1, 0);
@@ -147,7 +139,7 @@ static int run(const struct program *program, const char *arguments) {
         argv[argc++] = word;
     }
     int kept_directory = open(".", O_RDONLY);
-    CHECK(chdir(directory) == 0);
+    CHECK(chdir(place.directory) == 0);
     int file = open("output", O_CREAT | O_TRUNC | O_RDWR, 0600);
     struct streams streams = streams_lead(-1, file, file);
     int status = program_main(program, argc, argv);
@@ -159,13 +151,11 @@ static int run(const struct program *program, const char *arguments) {
 }
 
 static bool exists(const char *name) {
-    struct stat status;
-    return stat(in_directory(name), &status) == 0;
+    return file_exists(name_file(&place, name));
 }
 
 static void put_file(const char *name, const char *text) {
-    struct error error;
-    CHECK(file_write(in_directory(name), text, strlen(text), &error));
+    CHECK(put_text(name_file(&place, name), text));
 }
 
 static struct image picture; /* the last one that was read */
@@ -173,7 +163,7 @@ static struct image picture; /* the last one that was read */
 static bool read_image(const char *name, size_t width, size_t height) {
     struct error error;
     image_free(&picture);
-    return CHECK(image_read(&picture, in_directory(name), &error)) &&
+    return CHECK(image_read(&picture, name_file(&place, name), &error)) &&
            CHECK(picture.width == width && picture.height == height);
 }
 
@@ -183,9 +173,9 @@ static bool read_image(const char *name, size_t width, size_t height) {
 
 /* ---- Tests ---- */
 
-/* First: where they all work. */
 static void test_begin(void) {
-    CHECK(mkdtemp(directory) != NULL);
+    place = place_create();
+    CHECK(place_count(&place) == 0);
 }
 
 static void test_usage(void) {
@@ -239,6 +229,7 @@ static void test_help(void) {
     CHECK(strstr(output, "probe: a program to try") != NULL);
     CHECK(strstr(output, "dot, film, more") != NULL);
     CHECK(strstr(output, "--eye") != NULL);
+    CHECK(strstr(output, "/out/probe\n") != NULL);
     CHECK(run(&failing_program, "-h") == 0);
     CHECK(strstr(output, "--eye") == NULL);
     CHECK(strstr(output, "standard input") == NULL);
@@ -260,7 +251,7 @@ static size_t count_frames(const char *path) {
     struct error error;
     struct bytes file = {0};
     size_t frames = 0;
-    CHECK(file_read(in_directory(path), &file, &error));
+    CHECK(file_read(name_file(&place, path), &file, &error));
     for (size_t i = 0; i + 4 <= file.size; i++) {
         frames += memcmp(file.data + i, "fcTL", 4) == 0;
     }
@@ -451,7 +442,7 @@ static void test_needs(void) {
 /* Run with this text as standard input. */
 static int run_with_input(const struct program *program, const char *arguments, const char *input) {
     put_file("input", input);
-    int file = open(in_directory("input"), O_RDONLY);
+    int file = open(name_file(&place, "input"), O_RDONLY);
     struct streams streams = streams_lead(file, -1, -1);
     int status = run(program, arguments);
     clearerr(stdin);
@@ -559,12 +550,12 @@ static bool draw_sight(struct drawing *drawing, struct image *image, struct erro
     (void)error;
     p = vec3_add(p, zero); /* no negative zeros */
     n = vec3_add(n, zero);
-    int used = snprintf(sight, sizeof sight, "%g %g %g, %g %g %g,", p.x, p.y, p.z, n.x, n.y, n.z);
+    snprintf(sight, sizeof sight, "%g %g %g, %g %g %g,", p.x, p.y, p.z, n.x, n.y, n.z);
     for (int i = 0; i < 3; i++) {
         const struct texture *t = textures[i];
-        used += snprintf(sight + used, sizeof sight - (size_t)used, t == NULL ? " none" : " %X%s",
-                         t == NULL ? 0 : t->level[0].texels[0],
-                         t != NULL && t->tangent_space ? " tangent" : "");
+        string_append(sight, sizeof sight, t == NULL ? " none" : " %X%s",
+                      t == NULL ? 0 : t->level[0].texels[0],
+                      t != NULL && t->tangent_space ? " tangent" : "");
     }
     CHECK_TEXT(sight, expected_sight);
     return image_set(image, 0, 0, color_grey(1));
@@ -577,10 +568,9 @@ static bool draw_materials(struct drawing *drawing, struct image *image, struct 
     (void)error;
     size_t count = 0;
     for (; drawing_take_part(drawing, count); count++) {
-        size_t length = strlen(parts);
-        snprintf(parts + length, sizeof parts - length, "%zu %06X %g %g%s;",
-                 drawing->model->face_count, drawing->diffuse->level[0].texels[0] & 0xFFFFFF,
-                 drawing->specular_weight, drawing->power, drawing->ambient != NULL ? " Ka" : "");
+        string_append(parts, sizeof parts, "%zu %06X %g %g%s;", drawing->model->face_count,
+                      drawing->diffuse->level[0].texels[0] & 0xFFFFFF, drawing->specular_weight,
+                      drawing->power, drawing->ambient != NULL ? " Ka" : "");
         CHECK(drawing->specular->level_count > 0);
     }
     CHECK_TEXT(parts, expected_parts);
@@ -624,7 +614,7 @@ static void test_replaced(void) {
               "probe: wild.obj: no wild_diffuse.tga" MISSING WHITE
               "probe: wild_nm.JPG: a JPEG file, not a PNG or TGA file: `magick FILE NEW.png` "
               "converts it; " NORMALS "probe: none.tga: No such file or directory\n");
-    CHECK(remove(in_directory("wild_nm.JPG")) == 0);
+    CHECK(remove(name_file(&place, "wild_nm.JPG")) == 0);
     put_file("bare.obj", "v 0 0 0\nv 0 0 1\nv 1 0 0\nf 1 2 3\n"); /* no place in a picture */
     expected_sight = "0 0 1, 0 1 0, FFFFFFFF none FF404040";
     CHECK_RUN(&program, "-o out bare.obj", 0, PICTURES);
@@ -637,7 +627,7 @@ static void test_replaced(void) {
     /* A map in tangent space, and files that cannot be read. */
     put_file("wild_diffuse.png", "\xFF\xD8\xFF\xE0");
     put_file("wild_spec.png", "nothing");
-    CHECK(tga_write(&blue, in_directory("wild_nm.tga"), &error));
+    CHECK(tga_write(&blue, name_file(&place, "wild_nm.tga"), &error));
     expected_sight = "1 0 0, 0 0 1, FFFFFFFF FF8080FF tangent FF404040"; /* the map stays */
     CHECK_RUN(&program, "-o out --turn 1,0,0 wild.obj", 0,
               "probe: wild_diffuse.png: a JPEG file, not a PNG or TGA file: `magick FILE NEW.png` "
@@ -647,8 +637,8 @@ static void test_replaced(void) {
               "probe: wild_spec.png: neither a PNG nor a TGA of a type that is supported; " SHINE
                   PICTURES);
     levels[0] = 90;
-    CHECK(tga_write(&given, in_directory("given.tga"), &error) &&
-          tga_write(&grey, in_directory("wild_nm.tga"), &error));
+    CHECK(tga_write(&given, name_file(&place, "given.tga"), &error) &&
+          tga_write(&grey, name_file(&place, "wild_nm.tga"), &error));
     two_scenes[0].draw = draw_nothing;
     CHECK_RUN(&program, "-o out --only one --texture given.tga --specular given.tga wild.obj", 0,
               "probe: wild_nm.tga: grey values: perhaps heights, but not normals; " NORMALS
@@ -659,7 +649,7 @@ static void test_replaced(void) {
               "-o out --texture given.tga --normal-map given.tga --specular given.tga wild.obj", 0,
               PICTURES);
     expected_sight = "1 0 0, 0 1 0, FF80805A FF80805A tangent FF80805A";
-    CHECK(tga_write(&given, in_directory("given_tangent.tga"), &error));
+    CHECK(tga_write(&given, name_file(&place, "given_tangent.tga"), &error));
     CHECK_RUN(&program,
               "-o out --texture given.tga --normal-map given_tangent.tga --specular given.tga "
               "wild.obj",
@@ -706,15 +696,11 @@ static void test_stats_of_files(void) {
     uint8_t white = 255;
     const struct image image = {1, 1, IMAGE_GREY, &white};
     struct error error;
-    static char expected[200];
     put_file("mapped.obj", mapped_obj);
-    CHECK(tga_write(&image, in_directory("mapped_nm.tga"), &error));
-    CHECK(tga_write(&image, in_directory("mapped_diffuse.tga"), &error));
+    CHECK(tga_write(&image, name_file(&place, "mapped_nm.tga"), &error));
+    CHECK(tga_write(&image, name_file(&place, "mapped_diffuse.tga"), &error));
     CHECK(run(&needs_program, "-o out --only diffuse --stats mapped.obj") == 0);
-    snprintf(expected, sizeof expected,
-             "files.bytes_read: %zu\nfiles.textures_present: 2\nfiles.textures_read: 1\n",
-             strlen(mapped_obj) + (size_t)file_size(in_directory("mapped_diffuse.tga")));
-    CHECK(strstr(output, expected) != NULL);
+    CHECK(strstr(output, "files.textures_present: 2\nfiles.textures_read: 1\n") != NULL);
     CHECK(run(&needs_program, "-o out --only plain --stats mapped.obj") == 0);
     CHECK(strstr(output, "files.") == NULL);
 }
@@ -851,8 +837,8 @@ static void test_turn_and_sides(void) {
     struct error error;
     put_file("up.obj", "vt 0 0\nv 0 0 0\nv 0.25 0.5 0.75\nv 0 1 0\nvn 0 1 2\n"
                        "f 1/1/1 2/1/1 3/1/1\n");
-    CHECK(tga_write(&normal, in_directory("up_nm.tga"), &error) &&
-          tga_write(&normal, in_directory("up_diffuse.tga"), &error));
+    CHECK(tga_write(&normal, name_file(&place, "up_nm.tga"), &error) &&
+          tga_write(&normal, name_file(&place, "up_diffuse.tga"), &error));
     expected_sight = "0.25 -0.75 0.5, 0 -2 1, FFE63C64 FFE69B3C none";
     CHECK_RUN(&program, "-o out --turn 1,0,0 up.obj", 0, "out/turned.tga\n");
     CHECK_RUN(&program, "-o out --turn -3,4,-8 up.obj", 0, "out/turned.tga\n");
@@ -941,7 +927,7 @@ static void test_grey(void) {
     struct bytes file;
     /* no camera: eye and center are equal */
     CHECK_RUN(&grey_program, "-o out --only grey --format ppm", 0, "out/grey.pgm\n");
-    if (CHECK(file_read(in_directory("out/grey.pgm"), &file, &error))) {
+    if (CHECK(file_read(name_file(&place, "out/grey.pgm"), &file, &error))) {
         CHECK(file.size > 2 && memcmp(file.data, "P5", 2) == 0);
         bytes_free(&file);
     }
@@ -950,21 +936,11 @@ static void test_grey(void) {
 
 /* After "--" nothing is an option. */
 static void test_end_of_options(void) {
-    static const struct {
-        const char *arguments;
-        int status;
-        const char *output;
-    } rows[] = {
-        {"-- -x.obj", 1, "probe: -x.obj: No such file or directory\n"},
-        {"--fit -- --stats", 1, "probe: --stats: No such file or directory\n"},
-        {"-- --", 1, "probe: --: No such file or directory\n"},
-        {"-- -a -b", 2, "probe: one argument too many: '-b'; try --help\n"},
-        {"-s -- -b", 2, "probe: -s wants WxH: each 1 to 16384, not '--'\n"},
-    };
-    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
-        CHECK_ROW(run(&model_program, rows[i].arguments) == rows[i].status, rows[i].arguments);
-        CHECK_TEXT(output, rows[i].output);
-    }
+    CHECK_RUN(&model_program, "-- -x.obj", 1, "probe: -x.obj: No such file or directory\n");
+    CHECK_RUN(&model_program, "--fit -- --stats", 1, "probe: --stats: No such file or directory\n");
+    CHECK_RUN(&model_program, "-- --", 1, "probe: --: No such file or directory\n");
+    CHECK_RUN(&model_program, "-- -a -b", 2, "probe: one argument too many: '-b'; try --help\n");
+    CHECK_RUN(&model_program, "-s -- -b", 2, "probe: -s wants WxH: each 1 to 16384, not '--'\n");
     CHECK(run(&dot_program, "-o out --only dot --") == 0);
 }
 
@@ -983,8 +959,9 @@ static void test_full_output(void) {
         CHECK(true);
         return;
     }
-    int errors = open(in_directory("output"), O_CREAT | O_TRUNC | O_RDWR, 0600);
-    char *argv[] = {(char *)"probe", (char *)"-o", (char *)in_directory("out"), (char *)"--stats"};
+    int errors = open(name_file(&place, "output"), O_CREAT | O_TRUNC | O_RDWR, 0600);
+    char *argv[] = {(char *)"probe", (char *)"-o", (char *)name_file(&place, "out"),
+                    (char *)"--stats"};
     struct streams streams = streams_lead(-1, full, errors);
     CHECK(program_main(&dot_program, 4, argv) == 1);
     clearerr(stdout);
@@ -1014,7 +991,7 @@ static void test_text_names(void) {
 static void test_clean_up(void) {
     image_free(&picture);
     char command[64];
-    snprintf(command, sizeof command, "rm -r %s", directory);
+    snprintf(command, sizeof command, "rm -r %s", place.directory);
     CHECK(system(command) == 0);
 }
 

@@ -11,14 +11,14 @@ static bool decode(struct text_scene *scene, const char *text, enum text_scene_k
 
 /* As text: the size, and of each shape its corners, each with a colour. */
 static void describe(const struct text_scene *scene, int corners, char *out, size_t room) {
-    size_t used = (size_t)snprintf(out, room, "%zux%zu", scene->width, scene->height);
+    snprintf(out, room, "%zux%zu", scene->width, scene->height);
     for (size_t i = 0; i < scene->shape_count; i++) {
         const struct text_scene_shape *shape = &scene->shapes[i];
         for (int k = 0; k < corners; k++) {
             struct color c = shape->color[k];
             CHECK(c.a == 255);
-            used += (size_t)snprintf(out + used, room - used, "%s %.7g,%.7g %d %d %d",
-                                     k > 0 ? "" : ";", shape->x[k], shape->y[k], c.r, c.g, c.b);
+            string_append(out, room, "%s %.7g,%.7g %d %d %d", k > 0 ? "" : ";", shape->x[k],
+                          shape->y[k], c.r, c.g, c.b);
         }
     }
 }

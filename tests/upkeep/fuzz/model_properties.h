@@ -15,9 +15,9 @@
 enum { SIDE = 32 };         /* pixels of the image that models are drawn into */
 enum { SLOW_FACES = 4096 }; /* larger models are only read */
 /* Bytes of memory for each byte of a file: a polygon's corner takes two bytes of text. In memory it
- * takes a corner, a position, a node, a cell, a place in the queue, a triangle, a face and its
- * colour, each in an array that grows by half. */
-enum { MODEL_GROWTH = 160 };
+ * takes a corner, a position, a node, a dent, a triangle, a face and its colour, each in an array
+ * that grows by half. */
+enum { MODEL_GROWTH = 140 };
 
 static inline void require_finite(const float *numbers, size_t count) {
     for (size_t i = 0; i < count; i++) {
