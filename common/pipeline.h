@@ -89,6 +89,11 @@ struct shader {
      * No lane of the mask that it returns is drawn where it is unset, which only a shader that
      * `discards` may do; others return lanes_all_set(). */
     lanes_mask (*fragment)(const void *uniforms, const lanes *varyings, lanes_texel *color);
+    /* Or NULL: change the varyings before the fragment's turn, and add some behind the last one, up
+     * to VARYING_LIMIT. It is called for many pixels before the first of them gets its colour. So a
+     * processor can look ahead of what takes long, as it is to know where texels are: see
+     * texture_locate(). */
+    void (*prepare)(const void *uniforms, lanes *varyings);
     bool flat; /* the varyings of corner 0 for the whole face: nothing is interpolated */
     bool discards;
     /* Loops over pixels that SHADER() compiles for this shader alone. NULL: all loops call the
@@ -136,14 +141,24 @@ enum pipeline_stat {
 /* Their names, as --stats prints them. */
 extern const char *const pipeline_stat_name[PIPELINE_STATS];
 
+/* What becomes of pixels that nothing covers. */
+enum clearing {
+    CLEAR_NOTHING, /* they stay as they are */
+    CLEAR_ALL,     /* they become 0 */
+    /* They become 0, and nobody else writes to the image between frames: then most are 0 already,
+     * and only what the last frame has drawn is cleared. */
+    CLEAR_LAST_FRAME
+};
+
 /* Its memory is kept from frame to frame, so that drawing allocates nothing once there is enough.
  * All zero is a valid, empty pipeline. */
 struct pipeline {
     size_t width, height;
-    bool skip;         /* false: do all the work, shade at once; the image is the same */
-    bool counts_tests; /* count depth tests, in up to 1.4 times the time */
-    bool keep_depth;   /* keep what pipeline_finish() found in `depth` */
-    double *depth;     /* width * height; minus infinity where nothing is drawn; NULL if not kept */
+    bool skip;              /* false: do all the work, shade at once; the image is the same */
+    bool counts_tests;      /* count depth tests, in up to 1.4 times the time */
+    enum clearing clearing; /* at first CLEAR_NOTHING */
+    bool keep_depth;        /* keep what pipeline_finish() found in `depth` */
+    double *depth; /* width * height; minus infinity where nothing is drawn; NULL if not kept */
     uint64_t stats[PIPELINE_STATS];
 
     struct frame *frame; /* private: pipeline/frame.h */
@@ -168,7 +183,7 @@ bool pipeline_draw(struct pipeline *pipeline, const struct draw_call *call,
                    struct error *error);
 
 /* Draw everything recorded into an image of the pipeline's size, format BGR or BGRA; what nothing
- * covers stays as it is. False when memory runs out, with the image as it was. */
+ * covers is as `clearing` says. False when memory runs out, with the image as it was. */
 bool pipeline_finish(struct pipeline *pipeline, struct image *image, struct error *error);
 
 #include "pipeline/shade.h" /* private: what SHADER() compiles into its loop */

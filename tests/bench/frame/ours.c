@@ -37,12 +37,18 @@ static void gouraud_vertex(const void *uniforms, size_t face, size_t corner, dou
     varyings[2] = uv.y;
 }
 
+static void gouraud_prepare(const void *uniforms, lanes *varyings) {
+    const struct frame_texture *diffuse =
+        &((const struct frame_scene *)uniforms)->textures[MODEL_DIFFUSE];
+    texture_locate(diffuse->texture, diffuse->level, &varyings[1], &varyings[2], &varyings[3]);
+}
+
 static lanes_mask gouraud_fragment(const void *uniforms, const lanes *varyings,
                                    lanes_texel *color) {
     const struct frame_texture *diffuse =
         &((const struct frame_scene *)uniforms)->textures[MODEL_DIFFUSE];
-    struct lanes2 uv = {varyings[1], varyings[2]};
-    struct lanes3 rgb = texture_lanes(diffuse->texture, uv, diffuse->level);
+    struct lanes3 rgb =
+        texture_located(diffuse->texture, diffuse->level, varyings[1], varyings[2], &varyings[3]);
     *color = lanes_rgb(rgb.x * varyings[0], rgb.y * varyings[0], rgb.z * varyings[0]);
     return lanes_all_set();
 }
@@ -88,7 +94,8 @@ static lanes_mask phong_fragment(const void *uniforms, const lanes *varyings, la
 }
 
 SHADER(flat, .varying_count = 1, .flat = true, .vertex = flat_vertex, .fragment = flat_fragment);
-SHADER(gouraud, .varying_count = 3, .vertex = gouraud_vertex, .fragment = gouraud_fragment);
+SHADER(gouraud, .varying_count = 3, .vertex = gouraud_vertex, .prepare = gouraud_prepare,
+       .fragment = gouraud_fragment);
 SHADER(phong, .varying_count = 5, .vertex = phong_vertex, .fragment = phong_fragment);
 
 static const struct shader *const shaders[FRAME_LOOKS] = {
@@ -97,19 +104,19 @@ static const struct shader *const shaders[FRAME_LOOKS] = {
 /* ---- Frames ---- */
 
 bool ours_load(struct ours *ours, const struct frame_scene *scene, size_t threads,
-               struct error *error) {
+               enum clearing clearing, struct error *error) {
     ours_free(ours);
     ours->scene = *scene;
     if (!image_create(&ours->image, scene->width, scene->height, IMAGE_BGRA, error) ||
         !pipeline_create(&ours->pipeline, scene->width, scene->height, error)) {
         return false;
     }
+    ours->pipeline.clearing = clearing;
     pipeline_use_threads(&ours->pipeline, threads);
     return true;
 }
 
 bool ours_draw(struct ours *ours, struct error *error) {
-    memset(ours->image.pixels, 0, ours->image.width * ours->image.height * IMAGE_BGRA);
     pipeline_clear(&ours->pipeline);
     return pipeline_draw(&ours->pipeline, &ours->scene.call, shaders[ours->scene.look],
                          &ours->scene, sizeof ours->scene, error) &&

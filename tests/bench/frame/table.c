@@ -18,6 +18,8 @@ static double ratio(const struct cell *cell) {
 /* ---- Times ---- */
 
 void table_print_time_head(const struct options *options) {
+    printf("\nBefore a frame this course clears %s; llvmpipe clears all.\n",
+           options->clearing == CLEAR_ALL ? "all" : "what its last frame has drawn");
     printf(
         "\nMilliseconds a frame, %zu thread%s, the median of %zu (and how far apart the quartiles "
         "are);\nhow many times as fast as llvmpipe\n\n",

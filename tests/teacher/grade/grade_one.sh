@@ -68,7 +68,7 @@ finish() {
     echo "$of" >"$work/result/of"
     chmod -R u+rw,go+rX "$work/result" && rm -rf "$result" && mv "$work/result" "$result" || exit 1
     rm -f "$out/.begun/$name"
-    points=$(sed -n '2N; s/^  "points": \([0-9]*\),\n  "most": \([0-9]*\),$/\1\/\2/p' \
+    points=$(awk '/^  "points": / { points = $2 } /^  "most": / { printf "%d/%d", points, $2; exit }' \
         "$result/report.json" 2>/dev/null)
     echo "$name $*${points:+ $points} ($(cat "$result/seconds") s)"
     exit 0

@@ -272,11 +272,12 @@ static bool has(const struct scene *scene, bool (*kind)(const struct part *)) {
     return found;
 }
 
-static bool pixel_is_right(const struct image *image, size_t pixel, uint32_t number) {
+static bool pixel_is_right(const struct image *image, size_t pixel, uint32_t number,
+                           enum clearing clearing) {
     const uint8_t *p = image->pixels + pixel * image->format;
     if (number == 0) {
-        return p[0] == UNTOUCHED && p[1] == UNTOUCHED && p[2] == UNTOUCHED &&
-               p[image->format - 1] == UNTOUCHED;
+        uint8_t left = clearing == CLEAR_NOTHING ? UNTOUCHED : 0;
+        return p[0] == left && p[1] == left && p[2] == left && p[image->format - 1] == left;
     }
     return p[0] == number % 256 && p[1] == number / 256 && p[2] == 1 &&
            (image->format == IMAGE_BGR || p[3] == ALPHA);
@@ -301,7 +302,7 @@ static bool depth_is_right(const struct pipeline *pipeline, size_t pixel, const 
 static bool frame_is_right(const struct pipeline *pipeline, const struct image *image,
                            const struct answer *answers) {
     for (size_t i = 0; i < image->width * image->height; i++) {
-        if (!pixel_is_right(image, i, answers[i].number) ||
+        if (!pixel_is_right(image, i, answers[i].number, pipeline->clearing) ||
             (pipeline->keep_depth && !depth_is_right(pipeline, i, &answers[i]))) {
             const uint8_t *p = image->pixels + i * image->format;
             fprintf(stderr, "    %zux%zu: pixel %zu %zu should show %u, shows %d\n", image->width,
@@ -461,22 +462,44 @@ static void make_scene(struct random *random, struct scene *scene, size_t faces,
     }
 }
 
-/* Several frames of one pipeline: what one has left behind must not show in the next. */
+/* Several frames of one pipeline, on two images: what one has left behind must not show in the
+ * next. Before each of them the image is scribbled on, where somebody else may write to it. */
 static void check_size(struct random *random, size_t width, size_t height) {
     static struct scene scene;
     struct target target;
+    struct image images[2] = {{0}}, *last = NULL;
+    struct error error;
     enum image_format format = random_bits(random) % 2 ? IMAGE_BGR : IMAGE_BGRA;
     CHECK(target_create(&target, width, height, format));
+    images[0] = target.image;
+    CHECK(image_create(&images[1], width, height, random_bits(random) % 2 ? IMAGE_BGR : IMAGE_BGRA,
+                       &error));
     scene.width = width;
     scene.height = height;
     for (int frame = 0; frame < 6; frame++) {
+        struct pipeline *pipeline = &target.pipeline;
+        struct image *image = &images[random_bits(random) % 4 == 0];
+        pipeline->clearing =
+            random_bits(random) % 2 ? CLEAR_LAST_FRAME : (enum clearing)(random_bits(random) % 3);
+        if (pipeline->clearing != CLEAR_LAST_FRAME || image != last) {
+            scribble(image);
+        }
+        last = pipeline->clearing == CLEAR_LAST_FRAME ? image : NULL;
         make_scene(random, &scene, 1 + random_bits(random) % 12, frame % 2 == 0);
-        target.pipeline.skip = random_bits(random) % 3 != 0;
-        target.pipeline.keep_depth = random_bits(random) % 2 == 0;
-        pipeline_use_threads(&target.pipeline, 1 + random_bits(random) % 8 * (frame == 2));
-        check_scene(&target, &scene);
+        pipeline->skip = random_bits(random) % 3 != 0;
+        pipeline->keep_depth = random_bits(random) % 2 == 0;
+        pipeline_use_threads(pipeline, 1 + random_bits(random) % 8 * (frame == 2));
+        struct work work;
+        struct answer *answers = answer(&scene, &work);
+        target.image = *image;
+        if (CHECK(answers != NULL)) {
+            check_frame(&target, &scene, answers, &work);
+        }
+        free(answers);
     }
-    target_free(&target);
+    pipeline_free(&target.pipeline);
+    image_free(&images[0]);
+    image_free(&images[1]);
 }
 
 static void test_images_of_all_sizes(void) {
