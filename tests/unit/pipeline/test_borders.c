@@ -403,6 +403,20 @@ static int32_t any_place(struct random *random, int size) {
     return (int32_t)random_between(random, -20 * 256, (size + 20) * 256);
 }
 
+/* Let the side between corners 0 and 1 pass a place by as near as can be, on either side: their cross
+ * product around it is 1. */
+static void pass_by(struct random *random, struct fixed2 place, int reach, struct fixed2 *corner) {
+    int32_t k = (int32_t)random_between(random, -reach, reach), j = random_bits(random) % 2;
+    bool first = random_bits(random) % 2 != 0;
+    corner[first] = (struct fixed2){place.x - k, place.y - 1};
+    corner[!first] = (struct fixed2){place.x + k * j + 1, place.y + j};
+}
+
+static struct fixed2 any_center(struct random *random, const struct scene *scene) {
+    return (struct fixed2){(int32_t)random_between(random, 0, (int)scene->width) * 256 + 128,
+                           (int32_t)random_between(random, 0, (int)scene->height) * 256 + 128};
+}
+
 static void any_face(struct random *random, const struct scene *scene, struct placed *placed) {
     bool small = random_bits(random) % 2 == 0, level = random_bits(random) % 2 == 0;
     struct fixed2 near = {any_place(random, (int)scene->width),
@@ -422,6 +436,9 @@ static void any_face(struct random *random, const struct scene *scene, struct pl
         } else {
             placed->depth[i] += random_between(random, -40, 40);
         }
+    }
+    if (random_bits(random) % 8 == 0) {
+        pass_by(random, any_center(random, scene), 20 * 256, placed->corner);
     }
 }
 
@@ -539,6 +556,30 @@ static void test_many_faces(void) {
     target_free(&target);
 }
 
+/* Sides of 2^17 steps, whose products have more than 32 bits; and of faces with an area of 1/131072
+ * pixel, which cover a pixel at most: the one on whose centre a corner lies. */
+static void test_long_faces(void) {
+    static struct scene scene = {.count = 1, .width = 600, .height = 16, .faces_a_call = 2};
+    struct part *part = &scene.part[0];
+    struct random random = {73};
+    struct target target;
+    part_begin(part, (struct rectangle){0, 0, 600, 16});
+    part->shader = &number_shader;
+    part->first_number = 1;
+    add_face(part, &(struct placed){{{-256 * 512, 0}, {0, 0}, {0, 256 * 512}}, {-9, -9, -9}});
+    add_face(part, &(struct placed){{{0, 0}, {256 * 512, 0}, {0, 256 * 512}}, {-9, -9, -9}});
+    for (int i = 0; i < 300; i++) {
+        struct placed placed = {.depth = {i, i, i}};
+        placed.corner[2] = any_center(&random, &scene);
+        pass_by(&random, placed.corner[2], 140000, placed.corner);
+        add_face(part, &placed);
+    }
+    if (CHECK(target_create(&target, scene.width, scene.height, IMAGE_BGR))) {
+        check_scene(&target, &scene);
+    }
+    target_free(&target);
+}
+
 /* A level face around a place, of any size. */
 static void add_level_face(struct part *part, int32_t x, int32_t y, int32_t size, int64_t depth) {
     add_face(part, &(struct placed){{{x - size, y - size}, {x + size, y - size}, {x, y + size}},
@@ -588,4 +629,5 @@ static void test_many_calls(void) {
     target_free(&target);
 }
 
-UNIT_MAIN(TEST(test_images_of_all_sizes), TEST(test_many_faces), TEST(test_many_calls))
+UNIT_MAIN(TEST(test_images_of_all_sizes), TEST(test_many_faces), TEST(test_long_faces),
+          TEST(test_many_calls))
