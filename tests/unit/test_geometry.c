@@ -106,6 +106,21 @@ static void test_inverse_nearly_singular(void) {
     }
 }
 
+/* The last row takes part in everything. */
+static void test_last_row(void) {
+    struct mat4 a, transpose, inverse, thin = mat4_identity();
+    for (int i = 0; i < 16; i++) {
+        a.m[i / 4][i % 4] = i;
+    }
+    transpose = mat4_transpose(a);
+    for (int i = 0; i < 16; i++) {
+        CHECK(transpose.m[i % 4][i / 4] == i);
+    }
+    thin.m[3][0] = 1;
+    thin.m[3][3] = 0x1p-60; /* so that only the last row of the inverse is large */
+    CHECK(!mat4_inverse(thin, &inverse));
+}
+
 static void test_not_finite(void) {
     struct mat4 kept = mat4_translation((struct vec3){7, 8, 9}), inverse = kept;
     struct mat4 infinite = mat4_identity();
@@ -183,5 +198,6 @@ static void test_snap(void) {
 
 UNIT_MAIN(TEST(test_normalized_components), TEST(test_renormalized), TEST(test_vec2),
           TEST(test_depth), TEST(test_level_from), TEST(test_inverse_nearly_singular),
-          TEST(test_not_finite), TEST(test_rotation), TEST(test_lookat_along_up),
-          TEST(test_perpendicular_axis), TEST(test_inverse_overflow), TEST(test_snap))
+          TEST(test_last_row), TEST(test_not_finite), TEST(test_rotation),
+          TEST(test_lookat_along_up), TEST(test_perpendicular_axis), TEST(test_inverse_overflow),
+          TEST(test_snap))

@@ -338,6 +338,14 @@ static bool is_link(const char *path) {
     return lstat(path, &status) == 0 && S_ISLNK(status.st_mode);
 }
 
+static void test_directory(void) {
+    struct place place = place_create();
+    struct error error;
+    const char *path = name_file(&place, "%s%d");
+    CHECK(directory_create(path, &error) && directory_create(path, &error) && rmdir(path) == 0);
+    place_remove(&place, NULL);
+}
+
 /* A link to a file that is not there yet stays too, and leads to the new file; one that leads into
  * a directory that is not there is an error. */
 static void test_dangling_link(void) {
@@ -448,5 +456,6 @@ static void test_devices(void) {
 UNIT_MAIN(TEST(test_printable_texts), TEST(test_names_of_files), TEST(test_long_messages),
           TEST(test_bytes), TEST(test_read), TEST(test_read_errors), TEST(test_standard_input),
           TEST(test_write), TEST(test_write_without_input), TEST(test_write_errors),
-          TEST(test_write_protection), TEST(test_write_from_elsewhere), TEST(test_dangling_link),
-          TEST(test_limit_of_file_size), TEST(test_ended_while_writing), TEST(test_devices))
+          TEST(test_write_protection), TEST(test_write_from_elsewhere), TEST(test_directory),
+          TEST(test_dangling_link), TEST(test_limit_of_file_size), TEST(test_ended_while_writing),
+          TEST(test_devices))

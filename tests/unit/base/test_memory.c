@@ -389,6 +389,24 @@ static bool draw_both_ways(struct error *error) {
     return draw_cube(true, error) && draw_cube(false, error);
 }
 
+/* The same picture again takes no more memory. */
+static void check_other_frames(void) {
+    struct target target;
+    struct error error;
+    bool done = CHECK(start(&target, &error));
+    for (int frame = 0; frame < 100 && done; frame++) {
+        memory.calls = 0;
+        memory.failing = NEVER;
+        memory.on = true;
+        pipeline_clear(&target.pipeline);
+        done = record(&target, &inputs.cube, far_eye, 0.5, &error) &&
+               record(&target, &inputs.cube, near_eye, 0.5, &error) && finish(&target, &error);
+        memory.on = false;
+        CHECK(done && (frame < 2 || memory.calls == 0));
+    }
+    target_free(&target);
+}
+
 static bool draw_many(struct error *error) {
     struct target target;
     bool done = start(&target, error) &&
@@ -534,6 +552,7 @@ static void test_each_allocation(void) {
     for (size_t i = 0; i < sizeof tasks / sizeof tasks[0]; i++) {
         CHECK_ROW(fail_each(&tasks[i]) > 0, tasks[i].name); /* or nothing is wrapped */
     }
+    check_other_frames();
     free_inputs();
     unsetenv("THREADS");
 }

@@ -28,6 +28,16 @@ static void take_apart(const char *data, size_t size, bool continuation, char *o
     }
 }
 
+/* What is left of a line has no more words. */
+static void test_rest_of_line(void) {
+    struct text text;
+    struct error error;
+    CHECK(text_begin(&text, "a b  c \nd", 9, false, &error) && text_next_line(&text));
+    CHECK(word_is(text_next_word(&text), "a") && word_is(text_rest_of_line(&text), "b  c"));
+    CHECK(text_next_word(&text).length == 0 && text_next_line(&text));
+    CHECK(word_is(text_next_word(&text), "d"));
+}
+
 static void test_lines(void) {
     static const struct {
         const char *name, *text;
@@ -331,7 +341,7 @@ static void test_utf16(void) {
     }
 }
 
-UNIT_MAIN(TEST(test_utf16), TEST(test_lines), TEST(test_skipped_lines), TEST(test_long_line),
-          TEST(test_words), TEST(test_integers), TEST(test_numbers_of_a_line),
+UNIT_MAIN(TEST(test_rest_of_line), TEST(test_utf16), TEST(test_lines), TEST(test_skipped_lines),
+          TEST(test_long_line), TEST(test_words), TEST(test_integers), TEST(test_numbers_of_a_line),
           TEST(test_chosen_numbers), TEST(test_long_numbers), TEST(test_refused_numbers),
           TEST(test_random_numbers))

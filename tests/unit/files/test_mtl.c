@@ -175,7 +175,7 @@ static void test_statements(void) {
 /* Beside the model and in its file's directories. */
 static void test_files(void) {
     struct place place = place_create();
-    char path[128];
+    char path[128], red[128];
     struct model m;
     struct error error = {0};
     strcpy(path, name_file(&place, "m.obj"));
@@ -194,8 +194,12 @@ static void test_files(void) {
     model_free(&m);
     /* A texture; colours alone, which a texture next to the model outdoes; a file
      * that is not there. */
+    strcpy(red, name_file(&place, "red.png"));
+    CHECK(rename(red, name_file(&place, "red.PNG")) == 0);
+    CHECK(put_text(name_file(&place, "two names.mtl"), "newmtl red\nmap_Kd red.Png\n"));
     CHECK(put_text(path, "mtllib two names.mtl\n" TEXTURED "usemtl red\nf 1 2 3\n"));
     CHECK(model_read(&m, path, &error) && model_has_materials(&m));
+    CHECK(strstr(m.materials[0].texture, "/red.PNG") != NULL);
     model_free(&m);
     CHECK(put_text(path, "mtllib m.mtl\n" TEXTURED "usemtl blue\nf 1 2 3\n"));
     CHECK(model_read(&m, path, &error) && !model_has_materials(&m));
@@ -210,7 +214,7 @@ static void test_files(void) {
     CHECK(put_text(path, "mtllib no.mtl\n" TEXTURED "f 1 2 3\n")); /* no face needs it */
     CHECK(model_read(&m, path, &error) && m.warning_line[MODEL_MATERIALS_MISSING] == 0);
     model_free(&m);
-    place_remove(&place, "m.obj,m.mtl,two names.mtl,red.png,m_diffuse.png");
+    place_remove(&place, "m.obj,m.mtl,two names.mtl,red.PNG,m_diffuse.png");
 }
 
 /* Write ASCII as Windows writes "Unicode". */

@@ -12,6 +12,8 @@
 /* Faces by their first positions, and the colour of the texture. */
 static void describe(const struct parts *parts, size_t i, char *text, size_t size) {
     const struct drawing_part *part = &parts->part[i];
+    const struct texture *colors = &part->diffuse; /* of one colour, also from far away */
+    CHECK(*colors->level[0].texels == *colors->level[colors->level_count - 1].texels);
     for (size_t face = 0; face < part->model.face_count; face++) {
         string_append(text, size, "%u", part->model.faces[face].corner[0].position);
     }
