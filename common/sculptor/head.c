@@ -152,9 +152,8 @@ static double add_mouth(double d, struct vec3 p) {
     }
     double along, lips = head_lips(p, &along);
     double full = clamp(1.05 - along * along, 0, 1);
-    double upper = lips >= 0 ? lips : 0, lower = lips < 0 ? -lips : 0;
     /* Each lip is a roll: out of the line between them, over the round, down to the border. */
-    double roll = lips >= 0 ? ridge((upper - 0.55) / 0.75) : ridge((lower - 0.50) / 0.80);
+    double roll = lips >= 0 ? ridge((lips - 0.55) / 0.75) : ridge((-lips - 0.50) / 0.80);
     d -= (lips >= 0 ? 0.019 : 0.023) * roll * full;
     d += 0.009 * ridge(lips / 0.34) * fall(0.95, 1.25, along);
     /* The corner, pressed in; the groove below the nose; the hollow under the lower lip. */

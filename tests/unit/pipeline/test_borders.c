@@ -403,8 +403,8 @@ static int32_t any_place(struct random *random, int size) {
     return (int32_t)random_between(random, -20 * 256, (size + 20) * 256);
 }
 
-/* Let the side between corners 0 and 1 pass a place by as near as can be, on either side: their cross
- * product around it is 1. */
+/* Let the side between corners 0 and 1 pass a place by as near as can be, on either side: their
+ * cross product around it is 1. */
 static void pass_by(struct random *random, struct fixed2 place, int reach, struct fixed2 *corner) {
     int32_t k = (int32_t)random_between(random, -reach, reach), j = random_bits(random) % 2;
     bool first = random_bits(random) % 2 != 0;
