@@ -335,7 +335,6 @@ static void draw_pieces(struct call_band *band) {
         band->scratch->fetched[i + 1] = 1;
         shade(band);
     }
-    band->numbers = numbers;
 }
 
 static void cover_call(struct call_band *band) {

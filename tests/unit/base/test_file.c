@@ -239,7 +239,7 @@ static void test_write(void) {
     CHECK(file_write(path, "first", 5, &error) && file_is(path, "first"));
     umask(mask);
     CHECK(stat(path, &status) == 0 && (status.st_mode & 0777) == 0644);
-    CHECK(chmod(path, 0604) == 0);
+    CHECK(file_write(path, "1", 1, &error) && chmod(path, 0604) == 0);
     CHECK(file_write(path, "second", 6, &error) && file_is(path, "second"));
     CHECK(stat(path, &status) == 0 && (status.st_mode & 0777) == 0604);
     CHECK(place_count(&place) == 1);

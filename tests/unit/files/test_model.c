@@ -463,6 +463,21 @@ static void test_binary_messages(void) {
     }
 }
 
+static void test_long_line(void) {
+    struct place place = place_create();
+    struct model m;
+    struct error error;
+    char text[600] = SQUARE "l 1";
+    for (int i = 0; i < 60; i++) {
+        strcat(text, " 2 1");
+    }
+    const char *path = name_file(&place, "lines");
+    CHECK(put_text(path, text) && model_read_parts(&m, path, MODEL_LINES, &error));
+    CHECK(m.line_count == 120 && m.lines[119][0] == 1 && m.lines[119][1] == 0);
+    model_free(&m);
+    place_remove(&place, "lines");
+}
+
 /* Lines are read where they are asked for, and alone are a model only there. */
 static void test_lines(void) {
     static const char *const texts[] = {
@@ -640,6 +655,6 @@ static void test_other_names(void) {
 
 UNIT_MAIN(TEST(test_obj), TEST(test_obj_numbers), TEST(test_off), TEST(test_off_smallest),
           TEST(test_colors), TEST(test_face_colors), TEST(test_face_color_values),
-          TEST(test_messages), TEST(test_binary_messages), TEST(test_lines),
+          TEST(test_messages), TEST(test_binary_messages), TEST(test_lines), TEST(test_long_line),
           TEST(test_refused_files), TEST(test_textures), TEST(test_texture_names),
           TEST(test_other_names))

@@ -227,6 +227,7 @@ static void test_usage(void) {
 static void test_help(void) {
     CHECK(run(&dot_program, "--help") == 0);
     CHECK(strstr(output, "probe: a program to try") != NULL);
+    CHECK(strstr(output, "usage: probe [options]") != NULL);
     CHECK(strstr(output, "dot, film, more") != NULL);
     CHECK(strstr(output, "--eye") != NULL);
     CHECK(strstr(output, "/out/probe\n") != NULL);
@@ -476,8 +477,9 @@ static void test_live(void) {
     CHECK(draw_calls == 3);
     CHECK(run_with_input(&dot_program, "--live", "--only film --probe 1,0\n") == 0);
     CHECK(last_drawing.probed && last_drawing.probe.x == 1 && last_drawing.probe.y == 0);
-    CHECK(run_with_input(&dot_program, "--live", "--probe 16384,0\n") == 0);
-    CHECK(strstr(output, "\nerror --probe wants a pixel X,Y") != NULL);
+    CHECK(run_with_input(&dot_program, "--live", "--probe 16384,0\n--probe 0,16384\n") == 0);
+    const char *refused = strstr(output, "\nerror --probe wants a pixel X,Y");
+    CHECK(refused != NULL && strstr(refused + 1, "\nerror --probe wants") != NULL);
     CHECK(run_with_input(&text_program, "--live", "text\nline 2 0 4 0 10 20 30\nend\n") == 0);
     CHECK(strstr(output, "\nframe 5 5 ") != NULL);
     CHECK(memcmp(output + output_size - 12, "\12\24\36\377", 4) == 0); /* the third from the end */
