@@ -124,9 +124,10 @@ static void check_refused(struct bits *bits, size_t size, const char *message, c
 
 /* A block with its own codes: 258 literal codes, of which "a" has the code 0, the end of the
  * block 10 and the length 3 code 11. The distances and their number come between and behind. */
-#define OWN "01 10000"
+#define OWN   "01 10000"
+#define ORDER "0111 000 000 100 000 000 000 000 000 000 000 000 000 000 000 000 010 000 010 "
 #define LENGTHS                                                                                    \
-    "0111 000 000 100 000 000 000 000 000 000 000 000 000 000 000 000 010 000 010 "                \
+    ORDER                                                                                          \
     "0 0110101 10 0 1111111 0 1001000 " /* 97 zeros, 1, 138 + 20 zeros */
 #define CODES LENGTHS "11 11 "
 
@@ -209,6 +210,11 @@ static void test_wrong_blocks(void) {
         {"a single distance of two bits", "wrong code", "1 " OWN "00000" CODES "11"},
         {"the code that a single distance leaves", "means nothing",
          "1 " OWN "00000" CODES "10 0 11 1"},
+        {"the code that a single length of a code leaves", "means nothing",
+         "1 01 00000 00000 0000 000 000 100 000 1"},
+        /* 138 + 118 zeros, then the end of the block and a distance, of one bit each */
+        {"the code that the end of the block leaves", "means nothing",
+         "1 01 00000 00000 " ORDER "0 1111111 0 1101011 10 10 1"},
         {"a distance where there is none", "means nothing",
          "1 " OWN "11010" CODES "0 1000000 0 11"},
     };

@@ -115,18 +115,19 @@ static bool at(const struct model *model, size_t position, double x, double y, d
 }
 
 static void test_obj_numbers(void) {
-    static const char text[] = "v 1 -2 .5\nv 1e2 5. -1E-2 7\nv 0.1 0.2 0.3 0.25 -1 1.5\n"
-                               "v 16777217 1e-30 -0\nvt 0.5\nvt 2 -3\nvt 1 2 3\nvn 0 3 4\n"
-                               "f 1 2 3\n";
+    static const char text[] =
+        "v 1 -2 .5\nv 1e2 5. -1E-2 7\nv 0.1 0.2 0.3 0.25 -1 1.5\n"
+        "v 16777217 1e-30 -0\nvt 0.5\nvt 2 -3\nvt 1 2 3\nvt 1 inf\nvn 0 3 4\n"
+        "f 1 2 3\n";
     struct model m;
     if (!decode_right(&m, text)) {
         return;
     }
-    CHECK(m.position_count == 4 && m.uv_count == 3 && m.normal_count == 1 && m.face_count == 1);
+    CHECK(m.position_count == 4 && m.uv_count == 4 && m.normal_count == 1 && m.face_count == 1);
     CHECK(at(&m, 0, 1, -2, 0.5) && at(&m, 1, 100, 5, -0.01) && at(&m, 2, 0.1, 0.2, 0.3));
     CHECK(at(&m, 3, 16777217, 1e-30, 0)); /* the first is no float */
     CHECK(m.uvs[0][0] == 0.5F && m.uvs[0][1] == 0 && m.uvs[1][0] == 2 && m.uvs[1][1] == -3 &&
-          m.uvs[2][1] == 2);
+          m.uvs[2][1] == 2 && m.uvs[3][1] == 0);
     CHECK(same3(m.normals[0], 0, 3, 4));
     /* Only the third position has a colour: the others are white, and not w. */
     if (CHECK(m.colors != NULL)) {

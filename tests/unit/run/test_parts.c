@@ -17,8 +17,9 @@ static void describe(const struct parts *parts, size_t i, char *text, size_t siz
     for (size_t face = 0; face < part->model.face_count; face++) {
         string_append(text, size, "%u", part->model.faces[face].corner[0].position);
     }
-    string_append(text, size, " %06X%s", part->diffuse.level[0].texels[0] & 0xFFFFFF,
-                  part->diffuse.clamp ? " c" : "");
+    CHECK(part->model.face_colors == NULL && (part->repeats == 1) == (part->model.uv_count == 0));
+    string_append(text, size, "%s %06X%s", part->specular.level_count > 0 ? " Ks" : "",
+                  part->diffuse.level[0].texels[0] & 0xFFFFFF, part->diffuse.clamp ? " c" : "");
     if (part->ambient.level_count > 0) {
         string_append(text, size, " Ka %06X%s", part->ambient.level[0].texels[0] & 0xFFFFFF,
                       part->ambient.clamp ? " c" : "");
@@ -33,12 +34,13 @@ static bool read_parts(struct place *place, struct model *model, struct parts *p
     struct error error = {0};
     *parts = (struct parts){0};
     *missing = (struct error){0};
-    bool done = CHECK(put_text(name_file(place, "m.mtl"), materials)) &&
-                CHECK(bytes_print(&text, "mtllib m.mtl\n%s%s", TEXTURED, faces)) &&
-                CHECK(file_write(name_file(place, "m.obj"), text.data, text.size, &error)) &&
-                CHECK_ROW(model_read(model, name_file(place, "m.obj"), &error), error.message) &&
-                CHECK(parts_move_coordinates(model, &error)) &&
-                CHECK(parts_make(parts, model, missing, &error));
+    bool done =
+        CHECK(put_text(name_file(place, "m.mtl"), materials)) &&
+        CHECK(bytes_print(&text, "mtllib m.mtl\n%s%s", faces[0] == 'v' ? "" : TEXTURED, faces)) &&
+        CHECK(file_write(name_file(place, "m.obj"), text.data, text.size, &error)) &&
+        CHECK_ROW(model_read(model, name_file(place, "m.obj"), &error), error.message) &&
+        CHECK(parts_move_coordinates(model, &error)) &&
+        CHECK(parts_make(parts, model, missing, &error));
     bytes_free(&text);
     return done;
 }
@@ -52,7 +54,9 @@ static void test_parts(void) {
         {"usemtl a\nf 1/1 2/2 3/3\nusemtl b\nf 2/1 3/2 4/3\nusemtl c\nf 3 4 1\n",
          "newmtl a\nmap_Kd red.png\nKs 0\nNs 5\nmap_Ks red.png\nnewmtl b\nKs 0.5\nmap_Kd -clamp on "
          "red.png\nnewmtl c\nKd 0 1 0\n",
-         "0 C80A14;1 C80A14 c;2 00FF00;", ""},
+         "0 Ks C80A14;1 C80A14 c;2 00FF00;", ""},
+        {SQUARE "usemtl a\nf 1 2 3\n", "newmtl a\nKd 0 1 0\nmap_Kd red.png\nmap_Ks red.png\n",
+         "0 00FF00;", ""}, /* without places in a picture */
         {"usemtl a\nf 1 2 3\nusemtl b\nf 2 3 4\nusemtl c\nf 3 4 1\n",
          "newmtl a\nKd 0 0 1\nmap_Kd no.png\nnewmtl b\nmap_Kd no.png\nnewmtl c\nmap_Kd no2.png\n",
          "0 0000FF;1 FFFFFF;2 FFFFFF;", "no.png: No such file"},
@@ -202,6 +206,12 @@ static void test_coordinates(void) {
         CHECK(a.x == 1 && a.y == 0.5 && b.x == 2.5 && b.y == 1 && first.x == 0.5 && first.y == -1);
         CHECK(parts.part[1].model.faces[1].corner[0].uv == MODEL_NONE);
         CHECK(model.uv_count == 6);
+    }
+    parts_free(&parts);
+    model_free(&model);
+    if (read_parts(&place, &model, &parts, &missing, "usemtl a\nf 1/1 2/2 3/3\n",
+                   "newmtl a\nmap_Kd -s 1 4 1 no.png\n")) {
+        CHECK(model_uv(&parts.part[0].model, 0, 2).y == 2);
     }
     parts_free(&parts);
     model_free(&model);

@@ -234,6 +234,16 @@ static void test_help(void) {
     CHECK(run(&failing_program, "-h") == 0);
     CHECK(strstr(output, "--eye") == NULL);
     CHECK(strstr(output, "standard input") == NULL);
+    static const struct scene_value shared[] = {{"power", "of the light", 0, 9, 1, 3},
+                                                {.name = NULL}};
+    static const struct scene three[] = {
+        {.name = "a", .width = 4, .height = 3, .values = shared, .draw = draw_dot},
+        {.name = "b", .width = 4, .height = 3, .values = shared, .draw = draw_dot},
+        {.name = "c", .width = 4, .height = 3, .draw = draw_dot}};
+    struct program sharing = with_scenes(&dot_program, three, 3);
+    CHECK(run(&sharing, "-h") == 0); /* a list that two scenes share is printed once */
+    const char *found = strstr(output, "power of");
+    CHECK(found != NULL && strstr(found + 1, "power of") == NULL);
     CHECK(run(&text_program, "-h") == 0);
     CHECK(strstr(output, "'-' reads standard input.\n") != NULL);
 }
