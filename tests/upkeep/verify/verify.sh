@@ -11,7 +11,7 @@
 # MAKE builds a program; STEP is 5, 05 or step05_zbuffer; PATTERN: only mistakes and programs with
 # it in their names. Works in BUILD, where the check, the library and the models must be built. As
 # many at a time as there are processors; WORKERS=1 in the environment for one, VERIFY_EIGHTH=0 to 7
-# for every eighth mistake and correct program.
+# for every eighth mistake, correct program and undone task.
 #
 # Prints each finding as it comes, with what the check said, then how many of each lesson were judged
 # rightly.
@@ -137,7 +137,7 @@ print_table() {
 find_lessons
 make_table
 if [ -n "$eighth" ]; then
-    awk -F '\t' -v eighth="$eighth" '$3 !~ /^(mistake|accept)$/ || ++listed % 8 == eighth' \
+    awk -F '\t' -v eighth="$eighth" '$3 !~ /^(mistake|accept|undone)$/ || ++listed % 8 == eighth' \
         "$work/table" >"$work/eighth" && mv "$work/eighth" "$work/table" || exit 1
 fi
 : >"$work/results"
