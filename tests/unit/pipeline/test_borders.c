@@ -406,7 +406,8 @@ static int32_t any_place(struct random *random, int size) {
 /* Let the side between corners 0 and 1 pass a place by as near as can be, on either side: their
  * cross product around it is 1. */
 static void pass_by(struct random *random, struct fixed2 place, int reach, struct fixed2 *corner) {
-    int32_t k = (int32_t)random_between(random, -reach, reach), j = random_bits(random) % 2;
+    int32_t k = (int32_t)random_between(random, -reach, reach),
+            j = (int32_t)random_between(random, 0, 1);
     bool first = random_bits(random) % 2 != 0;
     corner[first] = (struct fixed2){place.x - k, place.y - 1};
     corner[!first] = (struct fixed2){place.x + k * j + 1, place.y + j};
