@@ -497,8 +497,10 @@ static void test_live(void) {
 
 /* What --live says first. */
 static void test_description(void) {
+    static const struct scene_value values[] = {
+        {"a", "the first", 0, 1, 0.5, 1}, {"b", "the other", -2, 2, 1, 0}, {.name = NULL}};
     static const struct scene two_scenes[] = {
-        {.name = "dot", .width = 4, .height = 3, .draw = draw_dot},
+        {.name = "dot", .width = 4, .height = 3, .values = values, .draw = draw_dot},
         {.name = "model", .needs = NEEDS_MODEL, .light = {0, 0, 1}, .eye = {0, 0, 3}},
     };
     const struct program program = with_scenes(&dot_program, two_scenes, 2);
@@ -510,7 +512,10 @@ static void test_description(void) {
         fclose(out);
         CHECK_TEXT(text,
                    "{\"program\":\"probe\",\"scenes\":[{\"name\":\"dot\",\"width\":4,\"height\":3,"
-                   "\"frames\":1},{\"name\":\"model\",\"width\":0,\"height\":0,\"frames\":1,"
+                   "\"frames\":1,\"values\":[{\"name\":\"a\",\"help\":\"the first\",\"least\":0,"
+                   "\"most\":1,\"step\":0.5,\"value\":1},{\"name\":\"b\",\"help\":\"the other\","
+                   "\"least\":-2,\"most\":2,\"step\":1,\"value\":0}]},{\"name\":\"model\","
+                   "\"width\":0,\"height\":0,\"frames\":1,"
                    "\"light\":[0,0,1],\"eye\":[0,0,3],\"center\":[0,0,0],\"up\":[0,0,0]}]}\n");
         free(text);
     }
