@@ -120,6 +120,7 @@ static void test_statements(void) {
         /* norm says more than the names of bumps, and may come before or after them. */
         {"newmtl a\nnorm n.png\n", "1 1 1 none d/n.png norm", PLAIN},
         {"newmtl a\nmap_Bump -bm 0.5 b.png\n", "1 1 1 none d/b.png", "-1 0 - none - 1 1 0 0 0.5"},
+        {"newmtl a\nmap_bump -bm 100.5 b.png\n", "1 1 1 none d/b.png", PLAIN},
         {"newmtl a\nmap_bump -bm -2 b c.png\n", "1 1 1 none d/b c.png", PLAIN},
         {"newmtl a\nbump -imfchan l -clamp on -bm 4 b.png\n", "1 1 1 none d/b.png",
          "-1 0 - none - 1 1 0 0 4"},

@@ -90,6 +90,27 @@ static void test_kept(void) {
     model_free(&model);
 }
 
+/* Each of a face's normals counts: one that points inside outweighs two that hardly point
+ * outside. */
+static void test_each_normal_counts(void) {
+    for (unsigned inside = 1; inside <= 3; inside++) {
+        char text[200];
+        struct error error;
+        snprintf(text, sizeof text,
+                 "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 -1\nvn 0.99 0 0.14\nf 1//%u 2//%u 3//%u\n",
+                 inside == 1 ? 1U : 2U, inside == 2 ? 1U : 2U, inside == 3 ? 1U : 2U);
+        struct model model = decode(text);
+        CHECK(model_add_other_sides(&model, true, &error) && model.face_count == 2);
+        struct vec3 outside = model_face_normal(&model, 0);
+        double sum = 0;
+        for (size_t k = 0; k < 3; k++) {
+            sum += vec3_dot(model_normal(&model, 0, k), outside);
+        }
+        CHECK(sum > 0); /* its side looks where most of them do */
+        model_free(&model);
+    }
+}
+
 /* Where three faces meet, none decides how another is wound. */
 static void test_three_meet(void) {
     struct model model = decode("v 0 0 0\nv 0 1 0\nv 1 0 0\nv -1 0 1\nv -1 0 -1\n"
@@ -103,4 +124,5 @@ static void test_three_meet(void) {
     model_free(&model);
 }
 
-UNIT_MAIN(TEST(test_mixed_winding), TEST(test_kept), TEST(test_three_meet))
+UNIT_MAIN(TEST(test_mixed_winding), TEST(test_kept), TEST(test_each_normal_counts),
+          TEST(test_three_meet))
