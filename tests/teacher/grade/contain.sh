@@ -12,8 +12,9 @@
 # CONTAIN_COURSE and CONTAIN_BUILD are absolute: the course and its build directory; CONTAIN_SECRET
 # are directories, each on its own line, that unshare is to hide besides.
 #
-# Started by root, the command runs as nobody, whose processes can be counted; started by anyone
-# else, as the root of a namespace that is nobody outside.
+# Started by root, each command runs as a user of its own, whose processes can be counted: one that
+# forks without end leaves the others theirs. Started by anyone else, as the root of a namespace that is
+# nobody outside.
 writes=${CONTAIN_WRITES:-$PWD}
 program=$1
 small=67108864 # bytes of what is kept in memory for it to write
@@ -27,12 +28,13 @@ powerless="--no-new-privs --inh-caps=-all --bounding-set=-all"
 root=
 if [ "$(id -u)" -eq 0 ]; then
     root=yes
-    chown 65534 "$writes" 2>/dev/null && chmod 755 "$writes"
+    user=$((61184 + $$ % 4336)) # systemd keeps these numbers free for such users
+    chown -R -h $user "$writes" 2>/dev/null && chmod 755 "$writes"
     if [ -d "${PWD%/*}/input" ]; then # see below
         chmod a+x "${PWD%/*}" && chmod -R a+rX "${PWD%/*}/input"
     fi
     limits="$limits --nproc=512"
-    powerless="--reuid=65534 --regid=65534 --clear-groups $powerless"
+    powerless="--reuid=$user --regid=$user --clear-groups $powerless"
 fi
 
 # Arguments are put in front of those that are there, so this is to be read from the end.
@@ -96,10 +98,10 @@ inside='
     exit $?'
 
 contain_by_unshare() {
-    user=
-    [ -n "$root" ] || user="--user --map-root-user"
+    namespace=
+    [ -n "$root" ] || namespace="--user --map-root-user"
     # shellcheck disable=SC2086
-    exec env -i PATH="$PATH" LC_ALL=C TMPDIR="$writes" unshare $user --mount --pid --fork \
+    exec env -i PATH="$PATH" LC_ALL=C TMPDIR="$writes" unshare $namespace --mount --pid --fork \
         --kill-child --mount-proc --ipc --net --uts sh -c "$inside" contain "$writes" \
         "$CONTAIN_COURSE" "$CONTAIN_SECRET" $limits setpriv $powerless "$@"
 }

@@ -81,7 +81,7 @@ echo begun >>"$out/.begun/$name"
 # shellcheck disable=SC2086 # one word a lesson
 reason=$(sh tests/teacher/grade/unpack.sh "$build/limited" "$submission" "$work/sources" $lessons) ||
     finish "ERROR $reason"
-# Whatever modes its files have: the compiler that reads them runs as nobody.
+# Whatever modes its files have: the compiler that reads them runs as another user.
 chmod -R u+rwX,go+rX "$work/sources" &&
     mv "$work/sources" "$work/result" && cp -R "$work/result/sources" "$place/sources" &&
     mkdir "$place/tmp" && chmod 711 "$place" "$place/tmp" || exit 1

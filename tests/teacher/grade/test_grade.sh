@@ -73,7 +73,7 @@ for kind in solution starter; do
         awk -v mode=$kind -f tests/student/marks.awk step01_line/main.c \
             >"../class/$kind/step01_line/main.c" || exit 1
 done
-chmod 600 ../class/solution/step01_line/main.c # the compiler runs as nobody where root grades
+chmod 600 ../class/solution/step01_line/main.c # where root grades, the compiler runs as another user
 mkdir -p "../class/a b/step01_line" ../class/stored/step01_line
 sed 's/52, 41/41, 52/' ../class/solution/step01_line/main.c >"../class/a b/step01_line/main.c"
 # It has all of the references within itself.

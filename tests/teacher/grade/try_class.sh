@@ -25,6 +25,23 @@ make -s grade-tools || exit 1
 contained=1
 [ "$CONTAIN_BY" != nothing ] || contained=
 CONTAINED=$contained bash tests/teacher/grade/make_class.sh "$work" "$count" "$last" || exit 1
+
+# A command that takes all its processes leaves another command's alone (only root's are counted).
+contain() {
+    export CONTAIN_COURSE="$PWD" CONTAIN_BUILD="$PWD/build" CONTAIN_SECRET=
+    cd "$work/kinds" && exec sh "$CONTAIN_COURSE/tests/teacher/grade/contain.sh" "$@"
+}
+if [ -n "$contained" ] && [ "$(id -u)" -eq 0 ]; then
+    (contain sh -c '(while sleep 20 & do :; done); exec sleep 20') 2>"$work/full" &
+    until [ -s "$work/full" ]; do # it cannot fork
+        kill -0 $! 2>/dev/null || break
+    done
+    # shellcheck disable=SC2016 # for that shell
+    [ "$(contain sh -c 'echo "$(echo works)"' 2>&1)" = works ] ||
+        wrong "one command takes the processes of another"
+    kill -KILL $! && wait $! 2>/dev/null
+fi
+
 precious="build/libcommon.a build/check tests/check/scenes.txt tests/reference/step01_line/line.png"
 # shellcheck disable=SC2086
 before=$(cksum $precious)
