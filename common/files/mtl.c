@@ -127,7 +127,7 @@ char *mtl_path(struct word name, const char *directory) {
         return path;
     }
     char *next_to = string_format("%s%s", directory, slash + 1);
-    if (next_to == NULL || !find_in_any_case(next_to)) {
+    if (next_to != NULL && !find_in_any_case(next_to)) {
         free(next_to);
         return path; /* as it is written, for messages */
     }

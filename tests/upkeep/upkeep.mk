@@ -132,8 +132,7 @@ $(BUILD)/looks_make $(BUILD)/figure_make: $(BUILD)/%: $(BUILD)/tests/check/%.o $
 # ---- make mutants, portability, fuzz ----
 
 # What is wrong with a change must show at once, and what is wrong with memory too when nothing does.
-MUTATED = $(CC) $(STRICT) $(MARCH) -Wno-psabi -Werror=incompatible-pointer-types \
-          -Werror=int-conversion $(TESTED_AS) -O1
+MUTATED = $(CC) $(STRICT) $(MARCH) $(WARNINGS) -Werror $(TESTED_AS) -O1
 mutants: export MUTANTS_CC = $(MUTATED) -fsanitize=undefined -fsanitize-undefined-trap-on-error
 mutants: export MUTANTS_SANITIZED = $(MUTATED) $(filter -f%,$(SANITIZED))
 mutants: export MUTANTS_STRESS = $(wildcard tests/upkeep/stress/*.c tests/lessons/*/stress.c)

@@ -13,9 +13,10 @@
 # are directories, each on its own line, that unshare is to hide besides.
 #
 # Started by root, each command runs as a user of its own, whose processes can be counted: one that
-# forks without end leaves the others theirs. Started by anyone else, as the root of a namespace that is
-# nobody outside.
+# forks without end leaves the others theirs. Started by anyone else, it is the root of a namespace,
+# which is nobody outside.
 writes=${CONTAIN_WRITES:-$PWD}
+perturb=MALLOC_PERTURB_=$MALLOC_PERTURB_ # by the check: see tests/check/run_posix.c
 program=$1
 small=67108864 # bytes of what is kept in memory for it to write
 
@@ -64,9 +65,10 @@ contain_by_bwrap() {
     fi
     set -- --perms 0755 --dir /etc --ro-bind-try /etc/alternatives /etc/alternatives \
         --ro-bind-try /etc/ld.so.cache /etc/ld.so.cache "$@"
-    exec env -i PATH="$PATH" LC_ALL=C TMPDIR="$writes" bwrap --die-with-parent --new-session \
-        --ro-bind /usr /usr --ro-bind-try /bin /bin --ro-bind-try /lib /lib \
-        --ro-bind-try /lib32 /lib32 --ro-bind-try /lib64 /lib64 --ro-bind-try /opt /opt \
+    exec env -i PATH="$PATH" LC_ALL=C TMPDIR="$writes" "$perturb" \
+        bwrap --die-with-parent --new-session --ro-bind /usr /usr \
+        --ro-bind-try /bin /bin --ro-bind-try /lib /lib --ro-bind-try /lib32 /lib32 \
+        --ro-bind-try /lib64 /lib64 --ro-bind-try /opt /opt \
         --proc /proc --dev /dev --size $small --tmpfs /dev/shm --size $small --tmpfs /tmp "$@"
 }
 
@@ -101,9 +103,10 @@ contain_by_unshare() {
     namespace=
     [ -n "$root" ] || namespace="--user --map-root-user"
     # shellcheck disable=SC2086
-    exec env -i PATH="$PATH" LC_ALL=C TMPDIR="$writes" unshare $namespace --mount --pid --fork \
-        --kill-child --mount-proc --ipc --net --uts sh -c "$inside" contain "$writes" \
-        "$CONTAIN_COURSE" "$CONTAIN_SECRET" $limits setpriv $powerless "$@"
+    exec env -i PATH="$PATH" LC_ALL=C TMPDIR="$writes" "$perturb" \
+        unshare $namespace --mount --pid --fork --kill-child --mount-proc --ipc \
+        --net --uts sh -c "$inside" contain "$writes" "$CONTAIN_COURSE" \
+        "$CONTAIN_SECRET" $limits setpriv $powerless "$@"
 }
 
 case $CONTAIN_BY in

@@ -5,7 +5,7 @@
 #   mutants.sh BUILD COUNT SEED [FILE...]     in the course's directory, which stays as it is
 #
 # FILE: a source to be changed; without one all of common and every lesson's main.c. A change counts
-# when it compiles, gives another object, and isn't explained in equivalent.txt here. It
+# when it compiles without a warning, gives another object, and isn't explained in equivalent.txt here. It
 # is killed when a unit test, `make check` or `make stress` fails or takes too long; what survives
 # meets the unit tests once more, under sanitizers.
 #
@@ -24,6 +24,7 @@ trap 'rm -rf "$work" "$scratch"' EXIT
 trap 'kill $workers 2>/dev/null; exit 2' HUP INT TERM
 grep -v '^call ' tests/check/scenes.txt >"$work/scenes.txt"
 export CHECK_EXACT=1 CHECK_TIMEOUT=100 STRESS=0.02
+export MALLOC_PERTURB_=90 # memory that nobody has written is not 0 by luck
 
 # parallel FUNCTION FILE: calls it with number and text of each line, until it is false.
 parallel() {
@@ -65,6 +66,23 @@ link() (
     eval "$compiler" '$wrap "$@" "$base/library.a" -lm -Wl,-t,-t -o program' 2>/dev/null
 )
 
+# Does ./program sculpt the models of the course, coarser ones as it did before any change, and say
+# which file it cannot write and what is wrong with its arguments?
+sculpts() {
+    mkdir fine coarse && timeout 120 ./program fine && ./program coarse 8 && cp -R coarse kept ||
+        return 1
+    for file in fine/*; do
+        name=${file##*/}
+        cmp "$file" "$work/models/$name" && cmp "coarse/$name" "$base/common/sculptor/sculpt/kept/$name" || return 1
+        rm "coarse/$name" && mkdir "coarse/$name" || return 1
+        message=$(./program coarse 8 2>&1)
+        [ $? -eq 1 ] && case $message in *"$name: is a directory") ;; *) false ;; esac || return 1
+        rmdir "coarse/$name"
+    done
+    ./program fine 9
+    [ $? -eq 2 ]
+}
+
 # run TREE PROGRAM SECONDS: of processor time; a deadlock ends after two minutes.
 run() (
     # shellcheck disable=SC3045 # not in POSIX, but in every sh; sanitizers reserve more addresses
@@ -78,12 +96,7 @@ run() (
             timeout 120 "$build/check" --programs "$1/checked" --differences "$1/differences" \
                 --scenes "$work/scenes.txt" --make : "$lesson"
         ;;
-    */sculpt)
-        mkdir -p sculpted && timeout 120 ./program sculpted || exit 1
-        for model in sculpted/*; do
-            cmp "$model" "$work/models/${model##*/}" || exit 1
-        done
-        ;;
+    */sculpt) sculpts ;;
     *) timeout 120 ./program || exit ;; # from here, so that the shell says nothing of a crash
     esac
 ) </dev/null >/dev/null 2>&1
@@ -197,13 +210,20 @@ compile_library() { # NUMBER SOURCE
     compile "$base" "$2" || echo "$2 does not compile" >>"$work/failed"
 }
 
-# What equivalent.txt explains, as it is in the list of changes.
-known() {
-    awk '/^symmetric / { sub(/:.*/, ""); for (i = 2; i <= NF; i++) { print "swapped\t" $i "\t" } }
+# Of the list of changes those that equivalent.txt doesn't explain.
+unexplained() {
+    awk -F "$tab" 'NR != FNR {
+            name = $6
+            sub(/.*\//, "", name)
+            explained = $4 == "swapped" && $5 in symmetric || (name, $8) in becomes ||
+                ($6, $8) in becomes || $8 == ";" && ((name, $7) in deleted || ($6, $7) in deleted)
+            if (!explained) { print }
+            next
+        }
+        /^symmetric / { sub(/:.*/, ""); for (i = split($0, word, " "); i > 1; i--) symmetric[word[i]] }
         /^[a-z].*:/ { file = $0; sub(/:.*/, "", file) }
-        /^- / { before = substr($0, 3) }
-        /^\+ / { print (file ~ "/" ? "\t" : "/") file "\t" before "\t" substr($0, 3) }' \
-        "$here/equivalent.txt"
+        /^\+ / { becomes[file, substr($0, 3)] }
+        /^- / { deleted[file, substr($0, 3)] }' "$here/equivalent.txt" -
 }
 
 # The sources. Tests make their files where they are found again, and not all over /tmp.
@@ -220,13 +240,13 @@ ln -s "$build/models" "$work/models"
 ${CC:-cc} -O1 "$here/mutate.c" -o "$work/mutate" || exit 2
 find common tests/oracle -name '*.c' 2>/dev/null | grep -v /sculptor/ >"$work/library"
 find tests/unit tests/lessons -name 'test_*.c' 2>/dev/null | sed 's/\.c$//' | sort >"$work/sanitized.programs"
-find step* common/sculptor -name main.c -o -name sculpt.c 2>/dev/null | sed 's/\.c$//' | sort |
+[ ! -d common/sculptor ] || echo common/sculptor/sculpt >>"$work/sanitized.programs"
+find step* -name main.c 2>/dev/null | sed 's/\.c$//' | sort |
     cat "$work/sanitized.programs" - >"$work/plain.programs"
 [ -z "$MUTANTS_STRESS" ] || echo stress >>"$work/plain.programs"
 # shellcheck disable=SC2046 # one word a file
 [ $# -gt 0 ] || set -- $(find common -name '*.[ch]') $(find step* -name main.c 2>/dev/null)
-known >"$work/known"
-"$work/mutate" list "$seed" "$@" | grep -vF -f "$work/known" | sort >"$work/changes"
+"$work/mutate" list "$seed" "$@" | unexplained | sort >"$work/changes"
 : >"$work/fates"
 cd "$root" || exit 2
 try_changes plain "$MUTANTS_CC"
