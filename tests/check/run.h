@@ -35,7 +35,7 @@ enum {
 };
 
 struct run_limits {
-    double seconds;      /* elapsed */
+    double seconds;      /* elapsed; on Linux of processor time, while others keep it busy */
     size_t file_bytes;   /* of each file; 0: no limit */
     size_t memory_bytes; /* of each process, as addresses; 0: no limit */
     unsigned processes;  /* at the same time, threads not counted; only where contained */

@@ -38,6 +38,7 @@ enum {
 
 static const double seconds_to_end = 0.5;      /* between SIGTERM and SIGKILL */
 static const double seconds_to_clean_up = 2.0; /* for killed processes to be gone */
+static const double patience = 10; /* times the limit, while others keep the processors busy */
 
 /* ---- Standard files ---- */
 
@@ -62,12 +63,15 @@ static void pause_ms(long ms) {
 /* What all its processes use together. */
 struct group {
     size_t processes, bytes;
+    double seconds; /* of processor time */
+    bool runs;      /* or waits for a processor, and for nothing else */
 };
 
 struct process {
     pid_t id, parent, group;
     size_t pages; /* in memory */
-    bool counts;
+    long ticks;   /* of processor time, with the children that it has waited for */
+    bool runs, counts;
 };
 
 struct process_list {
@@ -75,11 +79,11 @@ struct process_list {
     size_t count, capacity;
 };
 
-/* From /proc/ID/stat, "ID (name) state parent group ...", of which the 24th is the pages in memory;
- * the name may hold anything. */
+/* From /proc/ID/stat, "ID (name) state parent group ...", with four times from the 14th on, and the
+ * pages in memory as the 24th; the name may hold anything. */
 static bool read_process(const char *id, struct process *process) {
-    char path[64], text[512];
-    long parent, group, pages;
+    char path[64], text[512], state;
+    long parent, group, times[4], pages;
     snprintf(path, sizeof path, "/proc/%.20s/stat", id);
     FILE *file = fopen(path, "r");
     if (file == NULL) {
@@ -90,15 +94,17 @@ static bool read_process(const char *id, struct process *process) {
     const char *after_name = strrchr(text, ')');
     if (after_name == NULL ||
         sscanf(after_name + 1,
-               " %*c %ld %ld %*s %*s %*s %*s %*s %*s %*s %*s %*s %*s %*s %*s %*s %*s %*s %*s %*s "
+               " %c %ld %ld %*s %*s %*s %*s %*s %*s %*s %*s %ld %ld %ld %ld %*s %*s %*s %*s %*s "
                "%*s %ld",
-               &parent, &group, &pages) != 3) {
+               &state, &parent, &group, &times[0], &times[1], &times[2], &times[3], &pages) != 8) {
         return false;
     }
     *process = (struct process){.id = (pid_t)strtol(id, NULL, 10),
                                 .parent = (pid_t)parent,
                                 .group = (pid_t)group,
-                                .pages = pages > 0 ? (size_t)pages : 0};
+                                .pages = pages > 0 ? (size_t)pages : 0,
+                                .ticks = times[0] + times[1] + times[2] + times[3],
+                                .runs = state == 'R'};
     return true;
 }
 
@@ -137,6 +143,7 @@ static struct group measure_group(pid_t leader) {
     struct process_list list = list_processes();
     struct group found = {0};
     size_t before, page = (size_t)sysconf(_SC_PAGESIZE);
+    double ticks_a_second = (double)sysconf(_SC_CLK_TCK);
     do { /* a parent may come after its child in the list */
         before = found.processes;
         for (size_t i = 0; i < list.count; i++) {
@@ -145,6 +152,8 @@ static struct group measure_group(pid_t leader) {
                 process->counts = true;
                 found.processes++;
                 found.bytes += process->pages * page;
+                found.seconds += (double)process->ticks / ticks_a_second;
+                found.runs |= process->runs;
             }
         }
     } while (found.processes != before);
@@ -357,18 +366,23 @@ static void measure_directory(struct disk_use *use, int parent, const char *name
 }
 
 /* Does it use more than it may? RUN_EXITED: it does not. */
-static enum run_end judge_use(const struct run_command *command, pid_t id) {
+static enum run_end judge_use(const struct run_command *command, const struct group *group) {
     const struct run_limits *limits = &command->limits;
-    struct group group = measure_group(id);
     struct disk_use disk = {.bytes = 0};
     if (limits->disk_bytes > 0) {
         measure_directory(&disk, AT_FDCWD, command->directory, 0);
     }
     bool disk_full = disk.full || disk.bytes > limits->disk_bytes;
-    return group.processes > limits->processes + 1 /* the one between */  ? RUN_TOO_MANY
-           : limits->group_bytes > 0 && group.bytes > limits->group_bytes ? RUN_TOO_LARGE
-           : limits->disk_bytes > 0 && disk_full                          ? RUN_DISK_FULL
-                                                                          : RUN_EXITED;
+    return group->processes > limits->processes + 1 /* the one between */  ? RUN_TOO_MANY
+           : limits->group_bytes > 0 && group->bytes > limits->group_bytes ? RUN_TOO_LARGE
+           : limits->disk_bytes > 0 && disk_full                           ? RUN_DISK_FULL
+                                                                           : RUN_EXITED;
+}
+
+/* Has it had its time? A program from which others keep the processors gets more. */
+static bool is_out_of_time(const struct group *group, double seconds, double limit) {
+    bool starves = group->runs && group->seconds < limit;
+    return seconds > limit && (!starves || seconds > patience * limit);
 }
 
 /* Wait until the program ends or must be stopped. */
@@ -380,11 +394,12 @@ static enum run_end watch(const struct run_command *command, pid_t id, int *pipe
         if (run_caught_signal() != 0) {
             return RUN_INTERRUPTED;
         }
-        if (time - start > command->limits.seconds) {
-            return RUN_OUT_OF_TIME;
-        }
-        if (command->contained && time > next_count) {
-            enum run_end end = judge_use(command, id);
+        if (time > next_count) {
+            struct group group = measure_group(id);
+            enum run_end end = is_out_of_time(&group, time - start, command->limits.seconds)
+                                   ? RUN_OUT_OF_TIME
+                               : command->contained ? judge_use(command, &group)
+                                                    : RUN_EXITED;
             next_count = run_now() + COUNT_MS / 1000.0;
             if (end != RUN_EXITED) {
                 return end;

@@ -282,6 +282,18 @@ for signal in 9 15 2 11 10; do
     says 'SCORE 0/1'
 done
 
+# A program that others keep from the processors gets its time all the same.
+echo 'step27_busy depth 27.1 1 exact' >"$work/table"
+cp -R "$work/reference/step01_exact" "$work/reference/step27_busy"
+others=
+for _ in $(seq $((2 * $(getconf _NPROCESSORS_ONLN)))); do
+    sh -c 'while :; do :; done' &
+    others="$others $!"
+done
+checks 0 --scenes "$work/table" 27
+# shellcheck disable=SC2086 # one word a process
+kill $others
+
 # A program that is run by another one: its status tells of a signal.
 export CHECK_RUNNER="$top/tests/check/wrong/runner.sh"
 checks 1 1 9 14
