@@ -62,8 +62,8 @@ static void test_wrong_files(void) {
         {"TGA of type 4", "\0\0\4\0\0\0\0\0\0\0\0\0\1\0\1\0\10\0\7", 19, NEITHER},
         {"colour map of type 2", "\0\2\3\0\0\0\0\0\0\0\0\0\1\0\1\0\10\0\7", 19, NEITHER},
         {"PNG cut off", "\x89PNG\r\n\x1a\n", 8, "a PNG cut off before its end"},
-        {"TGA cut off", "\0\0\3\0\0\0\0\0\0\0\0\0\2\0\1\0\10\0\7", 19,
-         "a TGA cut off: 2x1 pixels take at least 2 bytes, but 1 are left"},
+        {"TGA with a map, cut off", "\0\1\3\0\0\0\0\0\0\0\0\0\2\0\1\0\10\0", 18,
+         "a TGA cut off: 2x1 pixels take at least 2 bytes, but 0 are left"},
     };
     struct place place = place_create();
     name_file(&place, "picture.tga");
