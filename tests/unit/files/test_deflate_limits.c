@@ -189,6 +189,8 @@ static void test_wrong_blocks(void) {
         {"block of kind 3", "unknown kind", "1 11"},
         {"stored length and complement differ", "stored length",
          "1 00 00000 1000000000000000 1111111111111111"},
+        {"stored length and complement differ in their second byte", "stored length",
+         "1 00 00000 0000000010000000 1111111111111111"},
         {"length 286", "length that does not exist", "1 10 01010000 11000110 00000"},
         {"length 287", "length that does not exist", "1 10 01010000 11000111 00000"},
         {"distance 30", "distance that does not exist", "1 10 01010000 0000001 11110"},
@@ -314,8 +316,15 @@ static void test_matches_near_end(void) {
     }
 }
 
-/* Distance codes of 1 to 15 bits: one of 15 bits more is one too many. */
+/* Codes of 1 to 15 bits, of literals and of distances: one of 15 bits more is one too many. */
 static void test_long_codes(void) {
+    struct bits literals = {0};
+    put_own_header(&literals, 257, 1);
+    for (unsigned i = 0; i < 257 + 1; i++) {
+        put_code(&literals, i == 256 ? 1 : i == 0 || i == 255 ? 15 : i < 14 ? i + 1 : 0, 4);
+    }
+    put_string(&literals, "111111111111110 111111111111111 0"); /* the first literal, the last */
+    check_blocks(&literals, "\0\xff", 2);
     for (unsigned more = 0; more < 2; more++) {
         struct bits bits = {0};
         put_own_header(&bits, 257, 16 + more);
@@ -341,7 +350,7 @@ static void test_zlib_header(void) {
         bool right;
     } rows[] = {
         {"window of 32768", 0x78, 0x01, true},   {"window of 256", 0x08, 0x1d, true},
-        {"wrong check", 0x78, 0x02, false},      {"another method", 0x79, 0x1a, false},
+        {"wrong check", 0x78, 0x02, false},      {"another method", 0x79, 0x18, false},
         {"window too large", 0x88, 0x1c, false}, {"dictionary", 0x78, 0x20, false},
     };
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
@@ -423,10 +432,10 @@ static void test_compress(void) {
         [SAME] = 319,    [NOISE] = 302815, [BITS] = 1472,
         [WORDS] = 47769, [FAR] = 57113,    [STEEP] = 17894,
     };
-    static uint8_t plain[LIMIT];
     for (int kind = 0; kind < DATA_KINDS; kind++) {
         for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++) {
             size_t size = sizes[i], accepted = 0;
+            uint8_t *plain = new_memory(size);
             struct bytes packed = {0};
             struct error error;
             put(&packed, 88);
@@ -441,6 +450,7 @@ static void test_compress(void) {
             }
             CHECK(accepted == 0);
             CHECK(size < LIMIT || packed.size <= most[kind]);
+            free(plain);
             bytes_free(&packed);
         }
     }
