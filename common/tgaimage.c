@@ -19,8 +19,10 @@
 /* What the pipeline draws on has 16 pixels of a row in one line of the cache: so large images are
  * drawn up to a twenty-fifth faster. */
 static void *allocate_lines(size_t height, size_t row) {
-    size_t lines = height <= (SIZE_MAX - CACHE_LINE) / row ? height * row / CACHE_LINE + 1 : 0;
-    return lines > 0 ? aligned_alloc(CACHE_LINE, lines * CACHE_LINE) : NULL;
+    if (height > (SIZE_MAX - CACHE_LINE) / row) {
+        return NULL;
+    }
+    return aligned_alloc(CACHE_LINE, (height * row / CACHE_LINE + 1) * CACHE_LINE);
 }
 
 /* Bytes of a row and of the whole image. */
@@ -387,12 +389,12 @@ static inline void fill_blocks(uint8_t *restrict to, const uint8_t *restrict pix
 /* Does the next packet lie in the file, and its pixels among those that are left? */
 static bool check_packet(const struct tga *tga, const uint8_t *next, size_t left, size_t size,
                          struct error *error) {
-    size_t count = next < tga->end ? (*next & 127u) + 1 : 0;
-    size_t stored = next < tga->end && (*next & 128) != 0 ? 1 : count;
+    const unsigned head = next < tga->end ? *next : 0;
+    const size_t count = (head & 127) + 1, stored = (head & 128) != 0 ? 1 : count;
     if (count > left) {
         return error_set(error, "a TGA packet of %zu pixels, but only %zu are left", count, left);
     }
-    return (count > 0 && stored * size < (size_t)(tga->end - next)) ||
+    return stored * size < (size_t)(tga->end - next) ||
            error_set(error, "a TGA cut off: %zu pixels are missing", left);
 }
 
@@ -521,7 +523,7 @@ static size_t pixels_before_run(const uint8_t *equal, size_t count, size_t worth
 
 /* One row as packets; returns their size. `out` has room for the row and one byte per 128 pixels,
  * which is the worst case. A run packet between two raw ones costs two heads, so two equal grey
- * pixels are not worth one. `equal` has room for a byte a pixel and is zero behind the row. */
+ * pixels are not worth one. `equal` has room for a byte a pixel and is zero at the last. */
 static inline size_t pack_row(const uint8_t *row, size_t width, uint8_t *equal, uint8_t *out,
                               const size_t size) {
     const size_t worth = size == 1 ? 3 : 2;
@@ -584,7 +586,7 @@ bool tga_encode(const struct image *image, struct bytes *out, struct error *erro
     }
     /* A row of packets is at most twice as large as the row: one grey pixel in a packet. */
     size_t room = TGA_HEADER_SIZE + image_size(image) + 2 * row_size(image) + sizeof tga_footer;
-    uint8_t *equal = calloc(image->width + 2, 1);
+    uint8_t *equal = calloc(image->width, 1);
     if (equal == NULL || !bytes_reserve(out, room)) {
         free(equal);
         return error_out_of_memory(error);

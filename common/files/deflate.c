@@ -98,8 +98,7 @@ static void assign_codes(const uint8_t *lengths, size_t count, uint16_t *codes) 
         next[bits] = (next[bits - 1] + with_length[bits - 1]) << 1;
     }
     for (size_t i = 0; i < count; i++) {
-        unsigned code = lengths[i] == 0 ? 0 : next[lengths[i]]++;
-        unsigned reversed = 0;
+        unsigned code = next[lengths[i]]++, reversed = 0;
         for (unsigned bit = 0; bit < lengths[i]; bit++) {
             reversed = reversed << 1 | (code >> bit & 1);
         }
@@ -298,15 +297,15 @@ static void enter_positions(struct compressor *c, size_t end) {
     c->hashed = end > c->hashed ? end : c->hashed;
 }
 
-/* Enter the positions of a match, of a long one only those at its ends. Within a run of one colour
- * all others are alike: they would take long to search, and hide what lies further back. */
+/* The positions of a match are entered with the one behind it, of a long match only those at its
+ * ends. Within a run of one colour all others are alike: they would take long to search, and hide
+ * what lies further back. */
 static void enter_match(struct compressor *c, size_t at, size_t length) {
     enum { END = 8 };
     if (length > 2 * END) {
         enter_positions(c, at + END);
         c->hashed = at + length - END;
     }
-    enter_positions(c, at + length);
 }
 
 static unsigned count_equal(const uint8_t *a, const uint8_t *b, unsigned limit) {
@@ -327,9 +326,6 @@ static struct token find_token(struct compressor *c, size_t at) {
     struct token token = {0, *here};
     size_t left = c->size - at, distance = 0;
     unsigned limit = left < MATCH_MAX ? (unsigned)left : MATCH_MAX, longest = MATCH_WORTH - 1;
-    if (limit < MATCH_WORTH) {
-        return token;
-    }
     enter_positions(c, at + 1);
     for (int i = 0; i < CHAIN_LIMIT && longest < MATCH_ENOUGH && longest < limit; i++) {
         unsigned back = c->back[(at - distance) % WINDOW_SIZE];

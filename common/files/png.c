@@ -143,7 +143,7 @@ static void filter_row(const unsigned filter, const uint8_t *row, const uint8_t 
 /* Undo a filter, in place. */
 static void unfilter_row(const unsigned filter, uint8_t *restrict row,
                          const uint8_t *restrict above, size_t size, const size_t step) {
-    for (size_t i = 0; i < step && i < size; i++) {
+    for (size_t i = 0; i < step; i++) { /* no row is shorter */
         row[i] = (uint8_t)(row[i] + predict(filter, 0, above[i], 0));
     }
     for (size_t i = step; i < size; i++) {
@@ -458,7 +458,7 @@ static uint64_t raw_bytes(const struct png *png) {
 static uint8_t *unpack_pass(const struct png *png, struct pass pass, uint8_t *raw,
                             const uint8_t *above, struct image *image, struct error *error) {
     size_t bits = channel_count(png->color_type) * png->depth;
-    size_t step = bits < 8 ? 1 : bits / 8, pixel_size = (size_t)image->format;
+    size_t step = (bits + 7) / 8, pixel_size = (size_t)image->format;
     size_t width = pass_width(png, pass), size = row_bytes(png, width);
     bool plain = pass.x_step == 1 && has_plain_rows(png);
     for (size_t y = pass.y; width > 0 && y < png->height; y += pass.y_step) {
