@@ -578,23 +578,6 @@ static bool draw_sight(struct drawing *drawing, struct image *image, struct erro
     return image_set(image, 0, 0, color_grey(1));
 }
 
-static const char *expected_parts; /* faces and colour of each, in the order of materials */
-
-static bool draw_materials(struct drawing *drawing, struct image *image, struct error *error) {
-    char parts[200] = "";
-    (void)error;
-    size_t count = 0;
-    for (; drawing_take_part(drawing, count); count++) {
-        string_append(parts, sizeof parts, "%zu %06X %g %g%s;", drawing->model->face_count,
-                      drawing->diffuse->level[0].texels[0] & 0xFFFFFF, drawing->specular_weight,
-                      drawing->power, drawing->ambient != NULL ? " Ka" : "");
-        CHECK(drawing->specular->level_count > 0);
-    }
-    CHECK_TEXT(parts, expected_parts);
-    CHECK(drawing->model->face_count >= count && drawing->diffuse->level_count > 0);
-    return image_set(image, 0, 0, color_grey(1));
-}
-
 enum { ALL_TEXTURES = NEEDS_DIFFUSE | NEEDS_NORMAL_MAP | NEEDS_SPECULAR };
 
 #define MISSING  " next to it, nor other usual names; "
@@ -671,34 +654,14 @@ static void test_replaced(void) {
               "-o out --texture given.tga --normal-map given_tangent.tga --specular given.tga "
               "wild.obj",
               0, PICTURES);
-    /* Materials: each part with its colour or its texture, also in the next scene. */
-    two_scenes[0].draw = two_scenes[1].draw = draw_materials;
-    put_file("m.mtl", "newmtl a\nKd 0 0 1\nKa 0 1 0\nKs 0.25 0.5 0.75\nNs 30\n");
-    put_file("wild2.obj", "mtllib m.mtl\nusemtl a\n" MAPPED);
-    expected_parts = "1 0000FF 0.5 30 Ka;";
-    CHECK_RUN(&program, "-o out wild2.obj", 0, PICTURES);
-    put_file("m.mtl", "newmtl b\nKd 1 0 0\nnewmtl a\nKd 0 0 1\nmap_Kd given.tga\n");
-    put_file("wild3.obj", "mtllib m.mtl\nf 1 2 3\nusemtl a\nf 1 2 3\nusemtl b\n" MAPPED);
-    expected_parts = "1 00005A -1 0;1 FF0000 -1 0;1 FFFFFF -1 0;"; /* blue times the picture */
-    CHECK_RUN(&program, "-o out --normal-map given.tga --specular given.tga wild3.obj", 0,
-              PICTURES);
-    put_file("m.mtl", "newmtl b\nd 0\nnewmtl a\nKd 0 0 1\nmap_Kd no.tga\n");
-    expected_parts = "1 0000FF -1 0;1 FFFFFF -1 0;";
-    CHECK_RUN(&program, "-o out wild3.obj", 0,
-              "probe: no.tga: No such file or directory; the material's colour instead "
-              "(--texture)\n" PICTURES);
-    expected_parts = "3 80805A 0 0;"; /* one for all faces */
-    CHECK_RUN(&program,
-              "-o out --normal-map given.tga --specular given.tga --texture given.tga "
-              "wild3.obj",
-              0, PICTURES);
-    expected_parts = "1 80805A 0 0;";
+    expected_sight = "1 0 0, 0 1 0, FF80805A none FF404040"; /* faces have no material, then */
     put_file("wild4.obj", "mtllib none.mtl\nusemtl a\n" MAPPED);
     CHECK_RUN(&program, "-o out --only one --texture given.tga wild4.obj", 0,
               "probe: wild4.obj: no file of materials, wild4_nm.tga, wild4_spec.tga" MISSING
               "the mesh's normals, the same shine everywhere instead (--normal-map, --specular)\n"
               "out/one.tga\n");
-    expected_parts = "1 FFFFFF 0 0;"; /* without a place in a picture none is looked for */
+    /* Without a place in a picture none is looked for. */
+    expected_sight = "0 0 1, 0 1 0, FFFFFFFF none FF404040";
     put_file("wild5.obj", "mtllib none.mtl\nusemtl a\nv 0 0 0\nv 0 0 1\nv 1 0 0\nf 1 2 3\n");
     CHECK_RUN(&program, "-o out --only one wild5.obj", 0,
               "probe: wild5.obj:1: the file of materials is not there; faces have neither its "

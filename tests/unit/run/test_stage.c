@@ -1,0 +1,180 @@
+/* What a scene finds on its stage: what is read for its needs, in parts, and of which files. */
+#define _XOPEN_SOURCE 700 /* POSIX.1-2008 with mkdtemp() */
+
+#include "run/stage.h"
+#include "unit/models.h"
+
+#define CORNERS "vt 0 0\nvt 2 0\nvt 0 2\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nl 1 2\n"
+#define FACE    "f 1/1/1 2/2/1 3/3/1\n"
+
+enum { TEXTURES = NEEDS_DIFFUSE | NEEDS_NORMAL_MAP | NEEDS_SPECULAR, SIGHT = 400 };
+
+static const struct scene all_needs = {.name = "all", .needs = 0xFF};
+static const struct program program = {
+    .takes_camera = true,
+    .takes_models = true,
+    .defaults = {.width = 5, .height = 4},
+    .scenes = &all_needs,
+    .scene_count = 1,
+    .state_size = 1,
+};
+
+/* How much there is of each model; then of each part and of the whole how many faces, the red of
+ * its textures, and its numbers. */
+static void describe(struct drawing *drawing, char *text) {
+    for (size_t i = 0; i < drawing->model_count; i++) {
+        const struct model *m = drawing->models[i];
+        bool known = m->material_count > 0 && m->materials->known;
+        string_append(text, SIGHT, "vt%zu vn%zu l%zu%s%s", m->uv_count, m->normal_count,
+                      m->line_count, known ? " mtl" : "", m->face_colors != NULL ? " Kd" : "");
+    }
+    for (size_t i = 0; drawing->diffuse != NULL && i <= drawing->part_count; i++) {
+        CHECK(drawing_take_part(drawing, i) ==
+              (i < drawing->part_count + (drawing->parts == NULL)));
+        const struct texture *textures[] = {drawing->diffuse, drawing->normal_map,
+                                            drawing->specular, drawing->ambient};
+        string_append(text, SIGHT, "; %zu", drawing->model->face_count);
+        for (size_t k = 0; k < 4; k++) {
+            string_append(text, SIGHT, textures[k] != NULL ? " %X" : " -",
+                          textures[k] != NULL ? *textures[k]->texels >> 16 & 0xFF : 0);
+        }
+        string_append(text, SIGHT, " %g %g %.2g", drawing->specular_weight, drawing->power,
+                      drawing->repeats);
+    }
+}
+
+/* From the name of the file on; it is said once. */
+static void add_message(char *text, struct error *error) {
+    const char *slash = strrchr(error->message, '/');
+    string_append(text, SIGHT, "%s%.40s", error->message[0] != '\0' ? "; " : "",
+                  slash != NULL ? slash + 1 : error->message);
+    error->message[0] = '\0';
+}
+
+/* Begin the scene with options that have blanks between them; what is there, and what is said. */
+static void begin(struct run *run, struct stage *stage, const struct scene *given,
+                  const char *options, char *sight) {
+    char *argv[16] = {(char *)"probe"}, arguments[100];
+    int argc = 1;
+    struct error error = {0};
+    snprintf(arguments, sizeof arguments, "%s", options);
+    for (char *word = strtok(arguments, " "); word != NULL; word = strtok(NULL, " ")) {
+        argv[argc++] = word;
+    }
+    run->asked = &run->options;
+    CHECK_ROW(options_parse(&run->options, &program, argc, argv, &error), error.message);
+    const struct scene scene = scene_complete(&run->options, given);
+    sight[0] = '\0';
+    if (stage_begin(stage, run, &scene, scene.width, scene.height, &error)) {
+        describe(&stage->drawing, sight);
+    }
+    add_message(sight, &error);
+    for (int kind = 0; kind < MODEL_TEXTURE_KINDS; kind++) {
+        add_message(sight, &run->replaced[kind]);
+    }
+}
+
+/* Each row is a run, but those of the course's own files are scenes of one run. */
+static void test_needs(void) {
+    static const struct {
+        const char *own, *options;
+        unsigned needs, all; /* of this scene; of all of the run, where that is known */
+        const char *sight;
+    } rows[] = {
+        {"", "m.obj bare.obj", NEEDS_MODEL, 0, "vt0 vn0 l0vt0 vn0 l0"},
+        {"", "m.obj bare.obj", NEEDS_NORMALS, 0, "vt0 vn1 l0vt0 vn4 l0"},
+        {"", "m.obj", NEEDS_COLORS, 0, "vt0 vn1 l0 mtl Kd"},
+        {"", "m.obj", NEEDS_LINES, 0, "vt0 vn0 l1"},
+        {"", "m.obj", NEEDS_SPECULAR, 0, "vt3 vn0 l0 mtl"},
+        {"", "m.obj", TEXTURES, 0,
+         "vt3 vn1 l0 mtl; 1 C8 64 64 - -1 5 2; 1 0 - 1 33 0.5 0 2; 2 C8 64 64 - -1 5 2"},
+        {"", "--two-sided --normal-map red.png --specular red.png m.obj", TEXTURES, 0,
+         "vt3 vn2 l0 mtl; 2 C8 C8 64 - -1 5 2; 2 0 C8 C8 33 0.5 0 2; 4 C8 C8 64 - -1 5 2"},
+        {"", "--two-sided --texture red.png m.obj", TEXTURES, 0,
+         "vt3 vn2 l0 mtl; 4 C8 - 1 - 0 0 2; m.obj: no m_nm.tga next to it, nor other"},
+        {"", "bare.obj", TEXTURES, 0, "vt0 vn4 l0; 2 FF - 40 - 0 0 1"},
+        {"bare.obj", "", NEEDS_MODEL, 0, "vt0 vn0 l0"},
+        {"m.obj", "", NEEDS_DIFFUSE, TEXTURES,
+         "vt3 vn0 l0 mtl; 1 C8 - 64 - -1 5 2; 1 0 - - 33 0.5 0 2; 2 C8 - 64 - -1 5 2"},
+        {"one.obj", "", NEEDS_DIFFUSE, TEXTURES,
+         "vt3 vn0 l0; 1 FF - - - 0 0 1.4; one.obj: no one_diffuse.tga, one_spec.tg"},
+        {"one.obj", "", TEXTURES, TEXTURES, "vt3 vn0 l0; 1 FF 64 40 - 0 0 1.4"},
+        {"lost.obj", "", TEXTURES, 0,
+         "vt3 vn3 l0 mtl; 1 FF - 40 - -1 0 1.4; 1 FF - 40 - -1 0 1.4"
+         "; no.png: No such file or directory; the m; no2.png: No such file or directory; the "},
+        {"lost.obj", "", TEXTURES, 0, "vt3 vn3 l0 mtl; 1 FF - 40 - -1 0 1.4; 1 FF - 40 - -1 0 1.4"},
+        {"no.obj", "", NEEDS_MODEL, 0, "; no.obj: no such file; `make` sculpts it"},
+        {"one.obj", "", NEEDS_SPECULAR, 0, "vt3 vn0 l0; one.obj: no one_spec.tga next to it, nor"},
+        {"one.obj", "", NEEDS_LINES, 0, "vt0 vn0 l1"}, /* read again, for more of it */
+    };
+    static char paths[sizeof rows / sizeof rows[0]][100];
+    struct place place = place_create();
+    struct run run = {.needs = 0};
+    struct error error;
+    uint8_t green[] = {20, 200, 100};
+    const struct image texel = {1, 1, IMAGE_BGR, green};
+    char home[1000], sight[SIGHT];
+    CHECK(getcwd(home, sizeof home) != NULL && chdir(place.directory) == 0);
+    put_picture(&place, "red.png", color_rgb(200, 20, 100));
+    CHECK(png_write(&texel, "one_nm.png", &error));
+    put_picture(&place, "m_spec.png", color_rgb(1, 2, 3));
+    CHECK(put_text("m.mtl", "newmtl a\nmap_Kd red.png\nbump one_nm.png\nmap_Ks one_nm.png\nNs 5\n"
+                            "newmtl b\nKd 0 0 1\nKs 0.5\nKa 0.2 1 0\n") &&
+          put_text("m.obj", "mtllib m.mtl\n" CORNERS "usemtl a\n" FACE "usemtl b\n" FACE) &&
+          put_text("lost.mtl", "newmtl a\nmap_Kd no.png\nbump no2.png\n") &&
+          put_text("lost.obj", "mtllib lost.mtl\n" CORNERS "usemtl a\n" FACE) &&
+          put_text("one.obj", CORNERS FACE) && put_text("bare.obj", SQUARE "f 1 2 3 4\n"));
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        const struct scene scene = {.model = paths[i], .needs = rows[i].needs};
+        struct stage stage;
+        if (rows[i].own[0] == '\0') {
+            run_free(&run);
+        }
+        run.needs = rows[i].all;
+        snprintf(paths[i], sizeof paths[i], "../../../../../../../../../../../..%s/%s",
+                 place.directory, rows[i].own);
+        begin(&run, &stage, &scene, rows[i].options, sight);
+        CHECK_TEXT(sight, rows[i].sight);
+        stage_end(&stage);
+    }
+    const struct loaded loaded = run_loaded(&run);
+    CHECK(loaded.textures_present == 6 && loaded.textures_read == 3); /* one.obj is read thrice */
+    run_free(&run);
+    CHECK(chdir(home) == 0);
+    place_remove(&place, "red.png,one_nm.png,m_spec.png,m.mtl,lost.mtl,m.obj,lost.obj,one.obj,"
+                         "bare.obj");
+}
+
+static bool draw_depth(struct drawing *drawing, struct image *image, struct error *error) {
+    (void)error;
+    for (size_t i = 0; i < image->width * image->height; i++) {
+        CHECK(drawing->depth[i] == -INFINITY);
+        drawing->depth[i] = (double)drawing->frame;
+    }
+    return true;
+}
+
+/* What a draw function gets, whatever it draws. */
+static void test_drawing(void) {
+    const struct scene scene = {.needs = NEEDS_DEPTH, .number = 7, .draw = draw_depth};
+    struct image image = new_image(5, 4, IMAGE_BGR);
+    struct text_scene text = {.width = 5};
+    struct run run = {.text = &text};
+    struct stage stage;
+    struct error error;
+    char sight[SIGHT];
+    begin(&run, &stage, &scene, "--stats --probe 3,1 --up 0,0,1 --center 1,0,0", sight);
+    const struct drawing *d = &stage.drawing;
+    CHECK(sight[0] == '\0' && d->number == 7 && d->stats && d->skip && d->text == &text);
+    CHECK(d->probed && d->probe.x == 3 && d->probe.y == 1 && d->up.z == 1 && d->center.x == 1);
+    CHECK(*(const char *)d->state == 0);
+    for (size_t frame = 1; frame < 3; frame++) {
+        CHECK(stage_draw(&stage, &image, frame, &error) && d->depth[19] == (double)frame);
+    }
+    stage_end(&stage);
+    CHECK(stage.drawing.depth == NULL);
+    run_free(&run);
+    image_free(&image);
+}
+
+UNIT_MAIN(TEST(test_needs), TEST(test_drawing))
