@@ -14,6 +14,7 @@ static void describe(const struct parts *parts, size_t i, char *text, size_t siz
     const struct drawing_part *part = &parts->part[i];
     const struct texture *colors = &part->diffuse; /* of one colour, also from far away */
     CHECK(*colors->level[0].texels == *colors->level[colors->level_count - 1].texels);
+    CHECK(*colors->texels >> 24 == 255);
     for (size_t face = 0; face < part->model.face_count; face++) {
         string_append(text, size, "%u", part->model.faces[face].corner[0].position);
     }
@@ -64,10 +65,11 @@ static void test_parts(void) {
          ""},
         {"usemtl a\nf 1 2 3\n", "newmtl a\nd 0\n", "", ""},
         /* A colour tints the picture, and is read again for it; a grey one does not. */
-        {"usemtl a\nf 1 2 3\nusemtl b\nf 2 3 4\nusemtl c\nf 3 4 1\n",
-         "newmtl a\nKd 0 0 0\nmap_Kd red.png\nnewmtl b\nKd 0.5 1 0.25\nmap_Kd red.png\n"
+        {"usemtl a\nf 1 2 3\nusemtl b\nf 2 3 4\nusemtl c\nf 3 4 1\nusemtl d\nf 1 2 3\n",
+         "newmtl d\nKd 1 0.5 1\nmap_Kd red.png\nnewmtl a\nKd 0 0 0\nmap_Kd red.png\nnewmtl b\nKd "
+         "0.5 1 0.25\nmap_Kd red.png\n"
          "newmtl c\nKd 0.8 0.8 0.8\nmap_Kd red.png\n",
-         "0 C80A14;1 640A05;2 C80A14;", ""},
+         "0 C80A14;1 640A05;2 C80A14;0 C80514;", ""},
         /* A colour of ambient light likewise, and alone where there is no picture. */
         {"usemtl a\nf 1 2 3\nusemtl b\nf 2 3 4\nusemtl c\nf 3 4 1\n",
          "newmtl a\nKd 0 0 1\nKa 1 0 0\nnewmtl b\nKa 0.5 1 0.25\nmap_Kd -clamp on red.png\n"
@@ -209,9 +211,16 @@ static void test_coordinates(void) {
     }
     parts_free(&parts);
     model_free(&model);
-    if (read_parts(&place, &model, &parts, &missing, "usemtl a\nf 1/1 2/2 3/3\n",
-                   "newmtl a\nmap_Kd -s 1 4 1 no.png\n")) {
-        CHECK(model_uv(&parts.part[0].model, 0, 2).y == 2);
+    if (read_parts(&place, &model, &parts, &missing,
+                   "usemtl a\nf 1/1 2/2 3/3\nusemtl b\nf 1/1 2/2 3/3\nusemtl c\nf 1/1 2/2 3/3\n"
+                   "usemtl d\nf 1/1 2/2 3/3\n",
+                   "newmtl a\nmap_Kd -s 2 1 1 no.png\nnewmtl b\nmap_Kd -s 1 4 1 no.png\n"
+                   "newmtl c\nmap_Kd -o 0.5 0 no.png\nnewmtl d\nmap_Kd -o 0 -1 no.png\n")) {
+        static const struct vec2 moved[] = {{2, 0.5}, {1, 2}, {1.5, 0.5}, {1, -0.5}};
+        for (size_t i = 0; i < 4; i++) {
+            struct vec2 uv = model_uv(&parts.part[i].model, 0, 2);
+            CHECK(uv.x == moved[i].x && uv.y == moved[i].y);
+        }
     }
     parts_free(&parts);
     model_free(&model);

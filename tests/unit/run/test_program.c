@@ -13,7 +13,7 @@
 /* ---- A program to try ---- */
 
 struct probe_state {
-    int prepared;
+    size_t width, height; /* of a frame, as prepare() got them */
 };
 
 static int prepare_calls, finish_calls, draw_calls;
@@ -23,7 +23,7 @@ static bool prepare(struct drawing *drawing, size_t width, size_t height, struct
     struct probe_state *state = drawing->state;
     (void)error;
     prepare_calls++;
-    state->prepared = width > 0 && height > 0;
+    *state = (struct probe_state){width, height};
     return true;
 }
 
@@ -35,7 +35,7 @@ static void finish(struct drawing *drawing) {
 static bool draw_dot(struct drawing *drawing, struct image *image, struct error *error) {
     (void)error;
     const struct probe_state *state = drawing->state;
-    CHECK(state->prepared == 1);
+    CHECK(state->width == image->width && state->height == image->height);
     struct color before = image_get(image, 1, 1); /* cleared, also before it is drawn again */
     CHECK(before.r == 0 && before.g == 0 && before.b == 0);
     image_set(image, 1, 1, color_rgb(1, 2, (uint8_t)(3 + drawing->frame)));
@@ -129,14 +129,14 @@ static void keep_output(int file) {
     close(file);
 }
 
-/* Run with arguments separated by blanks, in the directory; fills `output`. */
+/* Run in the directory with arguments separated by blanks ('' is empty); fills `output`. */
 static int run(const struct program *program, const char *arguments) {
     static char copy[OUTPUT_LIMIT];
     char *argv[ARGUMENT_LIMIT] = {(char *)"probe"};
     int argc = 1;
     snprintf(copy, sizeof copy, "%s", arguments);
     for (char *word = strtok(copy, " "); word != NULL; word = strtok(NULL, " ")) {
-        argv[argc++] = word;
+        argv[argc++] = strcmp(word, "''") == 0 ? (char *)"" : word;
     }
     int kept_directory = open(".", O_RDONLY);
     CHECK(chdir(place.directory) == 0);
@@ -198,12 +198,14 @@ static void test_usage(void) {
         {"--fit", "probe: unknown option '--fit'; try --help\n"}, /* no scene has a model */
         {"--repeat 0", "probe: --repeat wants a number: 1 to 1000000, not '0'\n"},
         {"--repeat 1000001", "probe: --repeat wants a number: 1 to 1000000, not '1000001'\n"},
+        {"''", "probe: an empty name of a file; try --help\n"},
+        {"-o ''", "probe: -o wants a directory, not ''\n"},
         {"one.obj", "probe: one argument too many: 'one.obj'; try --help\n"},
         {"--turn 1,0,0", "probe: unknown option '--turn'; try --help\n"},
         {"--eye 0,0,0", "probe: scene dot: the eye and the center are the same point\n"},
-        {"--eye 1e-150,0,0",
+        {"--eye 0.9e-140,0,0",
          "probe: scene dot: the eye and the center are too near to each other\n"},
-        {"--eye 2e18,0,0",
+        {"--eye 1.1e18,0,0",
          "probe: scene dot: the eye and the center are too far from each other\n"},
         {"--eye 1e308,0,0 --center -1e308,0,0",
          "probe: scene dot: the eye and the center are too far from each other\n"},
@@ -349,12 +351,16 @@ static void test_repeat_time(void) {
 }
 
 static void test_camera(void) {
-    CHECK(run(&dot_program, "-o out --only dot -s 16384x2") == 0); /* as large as they get */
+    CHECK(run(&dot_program, "-o out --only dot -s 16384x2 --frame 1000000") ==
+          0); /* as large as they get */
+    CHECK(run(&dot_program, "-o out --only dot --eye 0,1.1e-140,0") == 0); /* as near, */
+    CHECK(run(&dot_program, "-o out --only dot --eye 0,0,0.9e18") == 0);   /* and as far */
     CHECK(run(&dot_program, "-o out --only dot --no-skip") == 0);
     CHECK(last_drawing.eye.z == 3 && last_drawing.up.y == 1 && !last_drawing.skip);
-    CHECK(run(&dot_program, "-o out --only dot --eye 1,-2.5,3e1 --light 0,1,0") == 0);
+    CHECK(run(&dot_program, "-o out --only dot --eye 1,-2.5,3e1 --light 0,1,0 --up 2,0,0") == 0);
     CHECK(last_drawing.eye.x == 1 && last_drawing.eye.y == -2.5 && last_drawing.eye.z == 30);
     CHECK(last_drawing.light.y == 1 && last_drawing.light.z == 0 && last_drawing.skip);
+    CHECK(last_drawing.up.x == 2 && last_drawing.up.y == 0);
 }
 
 static void test_failures(void) {
@@ -385,27 +391,8 @@ static void test_text_scene(void) {
 
 /* ---- What scenes need ---- */
 
-static const char *const triangle_obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
 static const char *const mapped_obj =
     "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\n";
-
-static bool draw_needs(struct drawing *drawing, struct image *image, struct error *error) {
-    (void)error;
-    if (!CHECK(drawing->model != NULL)) {
-        return false;
-    }
-    CHECK(drawing->model->face_count == 1);
-    for (size_t i = 0; drawing->depth != NULL && i < image->width * image->height; i++) {
-        CHECK(drawing->depth[i] == -INFINITY); /* also after it was drawn before */
-        drawing->depth[i] = 5;
-    }
-    CHECK(drawing->diffuse == NULL || drawing->diffuse->level[0].texels[0] == UINT32_MAX);
-    CHECK(drawing->model->normal_count == (image->width == 2 ? 3 : 0)); /* "normals" alone */
-    CHECK(drawing->model->uv_count == 0 || drawing->diffuse != NULL);
-    draw_calls++;
-    last_drawing = *drawing;
-    return true;
-}
 
 static bool draw_plain(struct drawing *drawing, struct image *image, struct error *error) {
     (void)image, (void)error;
@@ -416,10 +403,8 @@ static bool draw_plain(struct drawing *drawing, struct image *image, struct erro
 
 static const struct scene needs_scenes[] = {
     {.name = "plain", .light = {0, 0, 7}, .draw = draw_plain},
-    {.name = "depth", .needs = NEEDS_MODEL | NEEDS_DEPTH, .draw = draw_needs},
-    {.name = "diffuse", .needs = NEEDS_DIFFUSE, .draw = draw_needs},
-    {.name = "normals", .needs = NEEDS_NORMALS, .width = 2, .draw = draw_needs},
-    {.name = "map", .needs = NEEDS_NORMAL_MAP, .draw = draw_needs},
+    {.name = "depth", .needs = NEEDS_MODEL | NEEDS_DEPTH, .draw = draw_nothing},
+    {.name = "diffuse", .needs = NEEDS_DIFFUSE, .draw = draw_nothing},
 };
 
 static const struct program needs_program = {
@@ -428,22 +413,13 @@ static const struct program needs_program = {
     .defaults = {.width = 4, .height = 3, .light = {0, 1, 0}},
 };
 
-/* What a scene needs is there when it is drawn; what no chosen scene needs is not read. */
+/* What no chosen scene needs is not read. (What it needs: test_stage.c.) */
 static void test_needs(void) {
-    put_file("bare.obj", triangle_obj);
-    put_file("mapped.obj", mapped_obj);
-    draw_calls = 0;
-    CHECK(run(&needs_program, "-o out --only depth --repeat 3 bare.obj") == 0);
-    CHECK(draw_calls == 3 && last_drawing.diffuse == NULL && last_drawing.normal_map == NULL);
-    CHECK(run(&needs_program, "-o out --only normals bare.obj") == 0);
-    CHECK(run(&needs_program, "-o out --only depth mapped.obj") == 0);
-    CHECK(run(&needs_program, "-o out --only diffuse bare.obj") == 0);  /* no places in a picture */
     CHECK(run(&needs_program, "-o out --only plain missing.obj") == 0); /* no model, none read */
     CHECK(last_drawing.light.z == 7 && last_drawing.light.y == 0);
     CHECK_RUN(&needs_program, "-o out --only plain --light 1,0,0", 0,
               "out/plain.tga\n"); /* black, but no model belongs into it */
     CHECK(last_drawing.light.x == 1 && last_drawing.light.z == 0);
-    CHECK(run(&needs_program, "-o out --only depth missing.obj") == 1);
     struct program finishing = needs_program; /* what was never prepared needs no finish */
     finishing.finish = finish;
     finish_calls = 0;
@@ -485,9 +461,9 @@ static void test_live(void) {
     put_file("mapped.obj", mapped_obj);
     CHECK(run_with_input(&program, "--live mapped.obj", "--only model\n") == 0);
     CHECK(draw_calls == 3);
-    CHECK(run_with_input(&dot_program, "--live", "--only film --probe 1,0\n") == 0);
-    CHECK(last_drawing.probed && last_drawing.probe.x == 1 && last_drawing.probe.y == 0);
-    CHECK(run_with_input(&dot_program, "--live", "--probe 16384,0\n--probe 0,16384\n") == 0);
+    CHECK(run_with_input(&dot_program, "--live", "--only film --probe 0,1\n") == 0);
+    CHECK(last_drawing.probed && last_drawing.probe.x == 0 && last_drawing.probe.y == 1);
+    CHECK(run_with_input(&dot_program, "--live", "--probe 16384,0\n--probe 0,-1\n") == 0);
     const char *refused = strstr(output, "\nerror --probe wants a pixel X,Y");
     CHECK(refused != NULL && strstr(refused + 1, "\nerror --probe wants") != NULL);
     CHECK(run_with_input(&text_program, "--live", "text\nline 2 0 4 0 10 20 30\nend\n") == 0);
@@ -525,15 +501,18 @@ static void test_description(void) {
 static void test_set(void) {
     static const struct scene_value values[] = {
         {"size", "how large", 1, 9, 1, 5}, {"turn", "how far", -1, 1, 0.1, 0}, {.name = NULL}};
-    static const struct scene scene = {
-        .name = "dot", .width = 4, .height = 3, .values = values, .draw = draw_dot};
-    struct program program = with_scenes(&dot_program, &scene, 1);
+    static const struct scene two_scenes[] = {
+        {.name = "one", .width = 4, .height = 3, .values = values + 1, .draw = draw_dot},
+        {.name = "dot", .width = 4, .height = 3, .values = values, .draw = draw_dot}};
+    struct program program = with_scenes(&dot_program, two_scenes, 2);
     CHECK(run(&program, "-o out") == 0 && !last_drawing.probed);
     CHECK(drawing_value(&last_drawing, "size") == 5 && drawing_value(&last_drawing, "turn") == 0);
-    CHECK(run(&program, "-o out --set turn=-0.5 --set size=9") == 0);
-    CHECK(drawing_value(&last_drawing, "size") == 9 &&
-          drawing_value(&last_drawing, "turn") == -0.5);
-    CHECK(run(&program, "-o out --set size=9.5") == 2 && run(&program, "-o out --set size=0") == 2);
+    CHECK(run(&program, "-o out --set turn=-1 --set size=9") == 0);
+    CHECK(drawing_value(&last_drawing, "size") == 9 && drawing_value(&last_drawing, "turn") == -1);
+    CHECK(run(&program, "--set size=0") == 2 && run(&program, "--set size=a") == 2);
+    CHECK_RUN(&program, "--set size=9.5", 2,
+              "probe: --set wants NAME=N, a scene's number: turn of one, -1 to 1 (0); size of dot, "
+              "1 to 9 (5); turn of dot, -1 to 1 (0), not 'size=9.5'\n");
     CHECK(drawing_value(&last_drawing, "siz") == 0);
     program.text_values = values + 1; /* a text scene has its own numbers */
     program.scenes = scenes;
@@ -737,7 +716,7 @@ static void test_out_of_view(void) {
     char expected[400];
     camera_program.takes_camera = true;
     put_file("far.obj", far_obj);
-    put_file("near.obj", triangle_obj);
+    put_file("near.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     CHECK_RUN(&view_program, "-o out near.obj", 0, "out/view.tga\nout/deep.tga\n");
     CHECK_RUN(&view_program, "-o out --fit far.obj", 0, "out/view.tga\nout/deep.tga\n");
     CHECK(farthest_corner > 0.95); /* of a side from -0.95 to 0.95 */
@@ -757,7 +736,7 @@ static void test_out_of_view(void) {
     camera_program.scenes = blank_scenes;
     camera_program.scene_count = 1;
     CHECK_RUN(&camera_program, "-o out", 0, "out/blank.tga\n");
-    CHECK_RUN(&camera_program, "-o out --light 1,0,0 --fit", 0,
+    CHECK_RUN(&camera_program, "-o out --light 0,0,1 --fit", 0,
               "probe: scene blank: nothing was drawn; what may help: --light\n"
               "out/blank.tga\n");
     CHECK_RUN(&camera_program, "-o out --center 1,0,0 --fit", 0,
@@ -824,6 +803,8 @@ static void test_turn_and_sides(void) {
     CHECK_RUN(&program, "-o out --turn -3,4,-8 up.obj", 0, "out/turned.tga\n");
     expected_sight = "0.75 0.5 -0.25, 2 1 0, FFE63C64 FF643C19 none";
     CHECK_RUN(&program, "-o out --turn 0,1,0 up.obj", 0, "out/turned.tga\n");
+    expected_sight = "-0.5 0.25 0.75, -1 0 2, FFE63C64 FFC3E664 none";
+    CHECK_RUN(&program, "-o out --turn 0,0,1 up.obj", 0, "out/turned.tga\n");
     scene.draw = draw_roof;
     scene.needs = NEEDS_MODEL | NEEDS_NORMALS;
     put_file("roof.obj", "v 0 0 1\nv 1 0 0\nv 0 1 1\nv -1 1 0\nf 1 2 3\nf 1 4 3\n");

@@ -13,7 +13,7 @@ static const struct scene all_needs = {.name = "all", .needs = 0xFF};
 static const struct program program = {
     .takes_camera = true,
     .takes_models = true,
-    .defaults = {.width = 5, .height = 4},
+    .defaults = {.width = 5, .height = 4, .up = {0, 1, 0}, .eye = {0, 0, 5}, .center = {2, 0, 0}},
     .scenes = &all_needs,
     .scene_count = 1,
     .state_size = 1,
@@ -54,7 +54,8 @@ static void add_message(char *text, struct error *error) {
 /* Begin the scene with options that have blanks between them; what is there, and what is said. */
 static void begin(struct run *run, struct stage *stage, const struct scene *given,
                   const char *options, char *sight) {
-    char *argv[16] = {(char *)"probe"}, arguments[100];
+    static char arguments[100];
+    char *argv[16] = {(char *)"probe"};
     int argc = 1;
     struct error error = {0};
     snprintf(arguments, sizeof arguments, "%s", options);
@@ -82,14 +83,16 @@ static void test_needs(void) {
         const char *sight;
     } rows[] = {
         {"", "m.obj bare.obj", NEEDS_MODEL, 0, "vt0 vn0 l0vt0 vn0 l0"},
-        {"", "m.obj bare.obj", NEEDS_NORMALS, 0, "vt0 vn1 l0vt0 vn4 l0"},
+        {"", "--two-sided m.obj bare.obj", NEEDS_NORMALS, 0, "vt0 vn2 l0vt0 vn8 l0"},
         {"", "m.obj", NEEDS_COLORS, 0, "vt0 vn1 l0 mtl Kd"},
         {"", "m.obj", NEEDS_LINES, 0, "vt0 vn0 l1"},
-        {"", "m.obj", NEEDS_SPECULAR, 0, "vt3 vn0 l0 mtl"},
+        {"", "m.obj", NEEDS_NORMAL_MAP, 0,
+         "vt3 vn1 l0 mtl; m.obj: no m_nm.tga next to it, nor other"},
         {"", "m.obj", TEXTURES, 0,
          "vt3 vn1 l0 mtl; 1 C8 64 64 - -1 5 2; 1 0 - 1 33 0.5 0 2; 2 C8 64 64 - -1 5 2"},
-        {"", "--two-sided --normal-map red.png --specular red.png m.obj", TEXTURES, 0,
-         "vt3 vn2 l0 mtl; 2 C8 C8 64 - -1 5 2; 2 0 C8 C8 33 0.5 0 2; 4 C8 C8 64 - -1 5 2"},
+        {"", "--two-sided --normal-map blue.png --specular red.png m.obj", TEXTURES, 0,
+         "vt3 vn2 l0 mtl; 2 C8 82 64 - -1 5 2; 2 0 82 C8 33 0.5 0 2; 4 C8 82 64 - -1 5 2"
+         "; m.obj: the normal map is blue, so it is "},
         {"", "--two-sided --texture red.png m.obj", TEXTURES, 0,
          "vt3 vn2 l0 mtl; 4 C8 - 1 - 0 0 2; m.obj: no m_nm.tga next to it, nor other"},
         {"", "bare.obj", TEXTURES, 0, "vt0 vn4 l0; 2 FF - 40 - 0 0 1"},
@@ -104,7 +107,9 @@ static void test_needs(void) {
          "; no.png: No such file or directory; the m; no2.png: No such file or directory; the "},
         {"lost.obj", "", TEXTURES, 0, "vt3 vn3 l0 mtl; 1 FF - 40 - -1 0 1.4; 1 FF - 40 - -1 0 1.4"},
         {"no.obj", "", NEEDS_MODEL, 0, "; no.obj: no such file; `make` sculpts it"},
-        {"one.obj", "", NEEDS_SPECULAR, 0, "vt3 vn0 l0; one.obj: no one_spec.tga next to it, nor"},
+        {"m.obj", "one.obj", NEEDS_DIFFUSE, 0,
+         "vt3 vn0 l0; 1 FF - - - 0 0 1.4; one.obj: no one_diffuse.tga next to it, "},
+        {"bare.obj", "one.obj", NEEDS_DIFFUSE, 0, "vt3 vn0 l0; 1 FF - - - 0 0 1.4"},
         {"one.obj", "", NEEDS_LINES, 0, "vt0 vn0 l1"}, /* read again, for more of it */
     };
     static char paths[sizeof rows / sizeof rows[0]][100];
@@ -117,13 +122,15 @@ static void test_needs(void) {
     CHECK(getcwd(home, sizeof home) != NULL && chdir(place.directory) == 0);
     put_picture(&place, "red.png", color_rgb(200, 20, 100));
     CHECK(png_write(&texel, "one_nm.png", &error));
+    put_picture(&place, "blue.png", color_rgb(130, 120, 250));
     put_picture(&place, "m_spec.png", color_rgb(1, 2, 3));
     CHECK(put_text("m.mtl", "newmtl a\nmap_Kd red.png\nbump one_nm.png\nmap_Ks one_nm.png\nNs 5\n"
                             "newmtl b\nKd 0 0 1\nKs 0.5\nKa 0.2 1 0\n") &&
           put_text("m.obj", "mtllib m.mtl\n" CORNERS "usemtl a\n" FACE "usemtl b\n" FACE) &&
           put_text("lost.mtl", "newmtl a\nmap_Kd no.png\nbump no2.png\n") &&
           put_text("lost.obj", "mtllib lost.mtl\n" CORNERS "usemtl a\n" FACE) &&
-          put_text("one.obj", CORNERS FACE) && put_text("bare.obj", SQUARE "f 1 2 3 4\n"));
+          put_text("m_diffuse.png", "not looked at") && put_text("one.obj", CORNERS FACE) &&
+          put_text("bare.obj", SQUARE "f 1 2 3 4\n"));
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
         const struct scene scene = {.model = paths[i], .needs = rows[i].needs};
         struct stage stage;
@@ -138,10 +145,11 @@ static void test_needs(void) {
         stage_end(&stage);
     }
     const struct loaded loaded = run_loaded(&run);
-    CHECK(loaded.textures_present == 6 && loaded.textures_read == 3); /* one.obj is read thrice */
+    CHECK(loaded.textures_present == 7 && loaded.textures_read == 3); /* one.obj is read thrice */
     run_free(&run);
     CHECK(chdir(home) == 0);
-    place_remove(&place, "red.png,one_nm.png,m_spec.png,m.mtl,lost.mtl,m.obj,lost.obj,one.obj,"
+    place_remove(&place, "red.png,blue.png,one_nm.png,m_diffuse.png,m_spec.png,m.mtl,lost.mtl,m."
+                         "obj,lost.obj,one.obj,"
                          "bare.obj");
 }
 
@@ -156,17 +164,23 @@ static bool draw_depth(struct drawing *drawing, struct image *image, struct erro
 
 /* What a draw function gets, whatever it draws. */
 static void test_drawing(void) {
-    const struct scene scene = {.needs = NEEDS_DEPTH, .number = 7, .draw = draw_depth};
+    const struct scene scene = {.needs = NEEDS_DEPTH,
+                                .number = 7,
+                                .up = {0, 0, 1},
+                                .eye = {0, 0, 6},
+                                .center = {1, 0, 0},
+                                .draw = draw_depth};
     struct image image = new_image(5, 4, IMAGE_BGR);
     struct text_scene text = {.width = 5};
     struct run run = {.text = &text};
     struct stage stage;
     struct error error;
     char sight[SIGHT];
-    begin(&run, &stage, &scene, "--stats --probe 3,1 --up 0,0,1 --center 1,0,0", sight);
+    begin(&run, &stage, &scene, "--stats --probe 3,1", sight);
     const struct drawing *d = &stage.drawing;
     CHECK(sight[0] == '\0' && d->number == 7 && d->stats && d->skip && d->text == &text);
-    CHECK(d->probed && d->probe.x == 3 && d->probe.y == 1 && d->up.z == 1 && d->center.x == 1);
+    CHECK(d->probed && d->probe.x == 3 && d->probe.y == 1 && d->up.z == 1 && d->up.y == 0 &&
+          d->center.x == 1);
     CHECK(*(const char *)d->state == 0);
     for (size_t frame = 1; frame < 3; frame++) {
         CHECK(stage_draw(&stage, &image, frame, &error) && d->depth[19] == (double)frame);
