@@ -19,6 +19,7 @@
 #include "files/ppm.h"
 #include "model.h"
 #include "program.h"
+#include "run/parts.h"
 #include "run/text_scene.h"
 #include "tgaimage.h"
 #include "unit/frames.h"
@@ -452,6 +453,22 @@ static bool draw_nothing_after_a_failure(struct error *error) {
     return finished;
 }
 
+static bool make_parts(struct error *error) {
+    static const char text[] =
+        "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nf 1 2 3\nusemtl a\nf 1/1 2/1 3/1\n";
+    struct error missing = {0};
+    struct parts parts = {0};
+    struct model model;
+    bool done = model_decode(&model, text, sizeof text - 1, error);
+    if (done) {
+        model.materials[0].scale[0] = 2;
+        done = parts_move_coordinates(&model, error) && parts_make(&parts, &model, &missing, error);
+    }
+    parts_free(&parts);
+    model_free(&model);
+    return done;
+}
+
 /* ---- A whole program ---- */
 
 static bool draw_dot(struct drawing *drawing, struct image *image, struct error *error) {
@@ -546,6 +563,7 @@ static void test_each_allocation(void) {
         {"pipeline_draw", draw_both_ways, 0},
         {"pipeline_draw of a model after one that failed", draw_after_a_failure, 0},
         {"a frame after one that failed", draw_nothing_after_a_failure, 0},
+        {"parts_make", make_parts, 0},
         {"a program with --repeat", run_repeated, SPARED},
         {"a program with a text scene", run_text, SPARED},
     };

@@ -58,6 +58,8 @@ static void test_parts(void) {
          "0 Ks C80A14;1 C80A14 c;2 00FF00;", ""},
         {SQUARE "usemtl a\nf 1 2 3\n", "newmtl a\nKd 0 1 0\nmap_Kd red.png\nmap_Ks red.png\n",
          "0 00FF00;", ""}, /* without places in a picture */
+        {SQUARE "vt 0 0\nusemtl a\nf 1/1 2/1 3/1\n", "newmtl a\nmap_Kd red.png\nmap_Ks red.png\n",
+         "0 Ks C80A14;", ""},
         {"usemtl a\nf 1 2 3\nusemtl b\nf 2 3 4\nusemtl c\nf 3 4 1\n",
          "newmtl a\nKd 0 0 1\nmap_Kd no.png\nnewmtl b\nmap_Kd no.png\nnewmtl c\nmap_Kd no2.png\n",
          "0 0000FF;1 FFFFFF;2 FFFFFF;", "no.png: No such file"},
@@ -67,14 +69,14 @@ static void test_parts(void) {
         /* A colour tints the picture, and is read again for it; a grey one does not. */
         {"usemtl a\nf 1 2 3\nusemtl b\nf 2 3 4\nusemtl c\nf 3 4 1\nusemtl d\nf 1 2 3\n",
          "newmtl d\nKd 1 0.5 1\nmap_Kd red.png\nnewmtl a\nKd 0 0 0\nmap_Kd red.png\nnewmtl b\nKd "
-         "0.5 1 0.25\nmap_Kd red.png\n"
+         "0.5 1 1\nmap_Kd red.png\n"
          "newmtl c\nKd 0.8 0.8 0.8\nmap_Kd red.png\n",
-         "0 C80A14;1 640A05;2 C80A14;0 C80514;", ""},
+         "0 C80A14;1 640A14;2 C80A14;0 C80514;", ""},
         /* A colour of ambient light likewise, and alone where there is no picture. */
         {"usemtl a\nf 1 2 3\nusemtl b\nf 2 3 4\nusemtl c\nf 3 4 1\n",
-         "newmtl a\nKd 0 0 1\nKa 1 0 0\nnewmtl b\nKa 0.5 1 0.25\nmap_Kd -clamp on red.png\n"
+         "newmtl a\nKd 0 0 1\nKa 1 0 0\nnewmtl b\nKa 1 1 0.25\nmap_Kd -clamp on red.png\n"
          "newmtl c\nKd 0 1 0\nKa 0 0.6 0.6\nmap_Kd no.png\n",
-         "0 0000FF Ka FF0000;1 C80A14 c Ka 640A05 c;2 00FF00 Ka 009999;", "no.png: No such file"},
+         "0 0000FF Ka FF0000;1 C80A14 c Ka C80A05 c;2 00FF00 Ka 009999;", "no.png: No such file"},
     };
     struct place place = place_create();
     put_picture(&place, "red.png", color_rgb(200, 10, 20));
@@ -98,6 +100,7 @@ static void test_parts(void) {
                              first->diffuse.texels == second->diffuse.texels &&
                              first->specular_weight == -1 && first->power == 5 &&
                              second->specular.level_count == 0 && second->specular_weight == 0.5));
+            CHECK(i != 0 || (parts.part[2].power == 0 && parts.part[2].specular_weight == -1));
             size_t pictures = parts.picture_count;
             CHECK(parts_make(&parts, &model, &missing, &error) && parts.picture_count == pictures);
             for (size_t k = 0; k < parts.count; k++) {
@@ -146,7 +149,7 @@ static void test_normal_maps(void) {
         {"newmtl a\nbump blue.png\nnewmtl b\nmap_Bump red.png\n", "to",
          "/blue.png: blue, so it is read as a normal map in tangent space"},
         {"newmtl a\nnorm blue.png\nnewmtl b\nnorm red.png\n", "tt", ""},
-        {"newmtl a\nnorm -bm 0.5 blue.png\nnewmtl b\nnorm -bm 4 blue.png\n", "tt", ""},
+        {"newmtl a\nnorm -bm 0.5 blue.png\nnewmtl b\nnorm -bm 2 blue.png\n", "tt", ""},
         {"newmtl a\nnorm no.png\nnewmtl b\nKd 1 0 0\n", "--",
          "/no.png: No such file or directory; the mesh's normals instead (--normal-map)"},
         {"newmtl a\nmap_Kd red.png\nbump red.png\nnewmtl b\nbump red.png\n", "oo", ""},
@@ -181,11 +184,11 @@ static void test_normal_maps(void) {
         CHECK_ROW(strstr(parts.note.message, rows[i].note) != NULL, parts.note.message);
         CHECK((parts.note.message[0] == '\0') == (rows[i].note[0] == '\0'));
         CHECK(i != 4 || parts.picture_count == 3); /* as colour, as map, and white */
-        /* Half as steep: (2.5, -7.5, 122.5) becomes (1.25, -3.75, 122.5); or 4 times. */
+        /* Half as steep: (2.5, -7.5, 122.5) becomes (1.25, -3.75, 122.5); or twice. */
         if (i == 2) {
-            struct texture *half = &parts.part[0].normal_map, *four = &parts.part[1].normal_map;
+            struct texture *half = &parts.part[0].normal_map, *twice = &parts.part[1].normal_map;
             CHECK((half->level[0].texels[0] & 0xFFFFFF) == (129 << 16 | 124 << 8 | 250));
-            CHECK((four->level[0].texels[0] & 0xFFFFFF) == (130 << 16 | 120 << 8 | 158));
+            CHECK((twice->level[0].texels[0] & 0xFFFFFF) == (130 << 16 | 120 << 8 | 189));
         }
         parts_free(&parts);
         model_free(&model);
@@ -193,34 +196,26 @@ static void test_normal_maps(void) {
     place_remove(&place, "blue.png,red.png,grey.png,pale.png,m.mtl,m.obj");
 }
 
-/* One material scales and moves, another one has the coordinates as they are. */
+/* Some materials scale, some move, and one has the coordinates as they are. */
 static void test_coordinates(void) {
+    static const struct vec2 moved[] = {{1, 0.5}, {2, 0.5}, {1, 2}, {1.5, 0.5}, {1, -0.5}, {3, 0}};
     struct place place = place_create();
     struct model model;
     struct parts parts;
     struct error missing;
     if (read_parts(&place, &model, &parts, &missing,
-                   "usemtl a\nf 1/1 2/2 3/3\nusemtl b\nf 1/1 2/2 3/3\nf 1 2/2 3\n",
-                   "newmtl a\nKd 1 1 1\nnewmtl b\nmap_Kd -s 2 4 1 -o 0.5 -1 no.png\n")) {
-        struct vec2 a = model_uv(&parts.part[0].model, 0, 2);
-        struct vec2 b = model_uv(&parts.part[1].model, 0, 2), first;
-        first = model_uv(&parts.part[1].model, 0, 0);
-        CHECK(a.x == 1 && a.y == 0.5 && b.x == 2.5 && b.y == 1 && first.x == 0.5 && first.y == -1);
-        CHECK(parts.part[1].model.faces[1].corner[0].uv == MODEL_NONE);
-        CHECK(model.uv_count == 6);
-    }
-    parts_free(&parts);
-    model_free(&model);
-    if (read_parts(&place, &model, &parts, &missing,
                    "usemtl a\nf 1/1 2/2 3/3\nusemtl b\nf 1/1 2/2 3/3\nusemtl c\nf 1/1 2/2 3/3\n"
-                   "usemtl d\nf 1/1 2/2 3/3\n",
-                   "newmtl a\nmap_Kd -s 2 1 1 no.png\nnewmtl b\nmap_Kd -s 1 4 1 no.png\n"
-                   "newmtl c\nmap_Kd -o 0.5 0 no.png\nnewmtl d\nmap_Kd -o 0 -1 no.png\n")) {
-        static const struct vec2 moved[] = {{2, 0.5}, {1, 2}, {1.5, 0.5}, {1, -0.5}};
-        for (size_t i = 0; i < 4; i++) {
+                   "usemtl d\nf 1/1 2/2 3/3\nusemtl e\nf 1/1 2/2 3/3\n"
+                   "usemtl f\nf 1/1 2/2 3/3\nf 1 2/2 3\n",
+                   "newmtl a\nKd 1 1 1\nnewmtl b\nmap_Kd -s 2 1 1 no.png\n"
+                   "newmtl c\nmap_Kd -s 1 4 1 no.png\nnewmtl d\nmap_Kd -o 0.5 0 no.png\n"
+                   "newmtl e\nmap_Kd -o 0 -1 no.png\nnewmtl f\nmap_Kd -s 2 4 1 -o 1 -2 no.png\n")) {
+        for (size_t i = 0; i < parts.count; i++) {
             struct vec2 uv = model_uv(&parts.part[i].model, 0, 2);
             CHECK(uv.x == moved[i].x && uv.y == moved[i].y);
         }
+        CHECK(parts.part[5].model.faces[1].corner[0].uv == MODEL_NONE);
+        CHECK(parts.count == 6 && model.uv_count == 18);
     }
     parts_free(&parts);
     model_free(&model);
@@ -232,7 +227,7 @@ static void test_repeats(void) {
     struct model model, part;
     struct error error;
     static const char text[] =
-        "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 3 0\nvt 5 0\nvt 5 -4\nvt 3 -4\n"
+        "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 3 1\nvt 5 1\nvt 5 -3\nvt 3 -3\n"
         "f 1/1 2/2 3/3 4/4\nf 1/1 2/1 3/1 4/1\n";
     if (!CHECK(model_decode(&model, text, sizeof text - 1, &error))) {
         return;

@@ -584,10 +584,6 @@ static void test_replaced(void) {
               "probe: wild.obj: no wild_diffuse.tga, wild_nm.tga, wild_spec.tga" MISSING
               "white, the mesh's normals, the same shine everywhere instead "
               "(--texture, --normal-map, --specular)\n" PICTURES);
-    CHECK_RUN(&program, "-o out ./wild.obj", 0, /* files are named without their directory */
-              "probe: ./wild.obj: no wild_diffuse.tga, wild_nm.tga, wild_spec.tga" MISSING
-              "white, the mesh's normals, the same shine everywhere instead "
-              "(--texture, --normal-map, --specular)\n" PICTURES);
     put_file("wild_nm.JPG", "\xFF\xD8\xFF\xE0");
     CHECK_RUN(&program, "-o out --specular none.tga wild.obj", 1,
               "probe: wild.obj: no wild_diffuse.tga" MISSING WHITE
@@ -627,12 +623,6 @@ static void test_replaced(void) {
     CHECK_RUN(&program,
               "-o out --texture given.tga --normal-map given.tga --specular given.tga wild.obj", 0,
               PICTURES);
-    expected_sight = "1 0 0, 0 1 0, FF80805A FF80805A tangent FF80805A";
-    CHECK(tga_write(&given, name_file(&place, "given_tangent.tga"), &error));
-    CHECK_RUN(&program,
-              "-o out --texture given.tga --normal-map given_tangent.tga --specular given.tga "
-              "wild.obj",
-              0, PICTURES);
     expected_sight = "1 0 0, 0 1 0, FF80805A none FF404040"; /* faces have no material, then */
     put_file("wild4.obj", "mtllib none.mtl\nusemtl a\n" MAPPED);
     CHECK_RUN(&program, "-o out --only one --texture given.tga wild4.obj", 0,

@@ -82,7 +82,7 @@ static void test_needs(void) {
         unsigned needs, all; /* of this scene; of all of the run, where that is known */
         const char *sight;
     } rows[] = {
-        {"", "m.obj bare.obj", NEEDS_MODEL, 0, "vt0 vn0 l0vt0 vn0 l0"},
+        {"", "--two-sided m.obj bare.obj", NEEDS_MODEL, 0, "vt0 vn0 l0vt0 vn0 l0"},
         {"", "--two-sided m.obj bare.obj", NEEDS_NORMALS, 0, "vt0 vn2 l0vt0 vn8 l0"},
         {"", "m.obj", NEEDS_COLORS, 0, "vt0 vn1 l0 mtl Kd"},
         {"", "m.obj", NEEDS_LINES, 0, "vt0 vn0 l1"},
@@ -112,18 +112,18 @@ static void test_needs(void) {
         {"bare.obj", "one.obj", NEEDS_DIFFUSE, 0, "vt3 vn0 l0; 1 FF - - - 0 0 1.4"},
         {"one.obj", "", NEEDS_LINES, 0, "vt0 vn0 l1"}, /* read again, for more of it */
     };
+    static const char *const pictures[] = {"red.png", "blue.png", "one_nm.png", "m_spec.png"};
+    static uint8_t colors[][3] = {{100, 20, 200}, {250, 120, 130}, {20, 200, 100}, {3, 2, 1}};
     static char paths[sizeof rows / sizeof rows[0]][100];
     struct place place = place_create();
     struct run run = {.needs = 0};
     struct error error;
-    uint8_t green[] = {20, 200, 100};
-    const struct image texel = {1, 1, IMAGE_BGR, green};
     char home[1000], sight[SIGHT];
     CHECK(getcwd(home, sizeof home) != NULL && chdir(place.directory) == 0);
-    put_picture(&place, "red.png", color_rgb(200, 20, 100));
-    CHECK(png_write(&texel, "one_nm.png", &error));
-    put_picture(&place, "blue.png", color_rgb(130, 120, 250));
-    put_picture(&place, "m_spec.png", color_rgb(1, 2, 3));
+    for (size_t i = 0; i < 4; i++) {
+        const struct image texel = {1, 1, IMAGE_BGR, colors[i]};
+        CHECK(png_write(&texel, pictures[i], &error));
+    }
     CHECK(put_text("m.mtl", "newmtl a\nmap_Kd red.png\nbump one_nm.png\nmap_Ks one_nm.png\nNs 5\n"
                             "newmtl b\nKd 0 0 1\nKs 0.5\nKa 0.2 1 0\n") &&
           put_text("m.obj", "mtllib m.mtl\n" CORNERS "usemtl a\n" FACE "usemtl b\n" FACE) &&
@@ -186,7 +186,7 @@ static void test_drawing(void) {
         CHECK(stage_draw(&stage, &image, frame, &error) && d->depth[19] == (double)frame);
     }
     stage_end(&stage);
-    CHECK(stage.drawing.depth == NULL);
+    CHECK(stage.program == NULL && stage.drawing.depth == NULL);
     run_free(&run);
     image_free(&image);
 }
