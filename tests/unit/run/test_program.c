@@ -42,6 +42,10 @@ static bool draw_dot(struct drawing *drawing, struct image *image, struct error 
     drawing_count(drawing, "dots", 1);
     drawing_count(drawing, "dots", 2);
     drawing_count(drawing, "other", 7);
+    if (drawing->probed) {
+        drawing_note(drawing, "here and");
+        drawing_note(drawing, "there");
+    }
     draw_calls++;
     last_drawing = *drawing;
     return true;
@@ -229,7 +233,7 @@ static void test_usage(void) {
 static void test_help(void) {
     CHECK(run(&dot_program, "--help") == 0);
     CHECK(strstr(output, "probe: a program to try") != NULL);
-    CHECK(strstr(output, "usage: probe [options]") != NULL);
+    CHECK(strstr(output, "usage: probe [options]\n\n") != NULL);
     CHECK(strstr(output, "dot, film, more") != NULL);
     CHECK(strstr(output, "--eye") != NULL);
     CHECK(strstr(output, "/out/probe\n") != NULL);
@@ -248,6 +252,15 @@ static void test_help(void) {
     CHECK(found != NULL && strstr(found + 1, "power of") == NULL);
     CHECK(run(&text_program, "-h") == 0);
     CHECK(strstr(output, "'-' reads standard input.\n") != NULL);
+    CHECK(strstr(output, "usage: probe [options] [scene.txt]\n\n") != NULL);
+    struct program several = model_program;
+    several.takes_models = true;
+    CHECK(run(&several, "-h") == 0);
+    CHECK(strstr(output, "usage: probe [options] [model.obj | model.off]...\n\n") != NULL);
+    CHECK(strstr(output, "/models/bust.obj\n") != NULL);
+    for (char *line = strstr(output, "\n  -") + 1; line[2] == '-'; line = strchr(line, '\n') + 1) {
+        CHECK_ROW(line[19] == ' ' && line[20] != ' ', line); /* all texts begin in a column */
+    }
 }
 
 /* A scene that is no part of the lesson is drawn when it is named. */
@@ -415,7 +428,7 @@ static const struct program needs_program = {
 
 /* What no chosen scene needs is not read. (What it needs: test_stage.c.) */
 static void test_needs(void) {
-    CHECK(run(&needs_program, "-o out --only plain missing.obj") == 0); /* no model, none read */
+    CHECK_RUN(&needs_program, "-o out --only plain --stats missing.obj", 0, ""); /* no model */
     CHECK(last_drawing.light.z == 7 && last_drawing.light.y == 0);
     CHECK_RUN(&needs_program, "-o out --only plain --light 1,0,0", 0,
               "out/plain.tga\n"); /* black, but no model belongs into it */
@@ -453,22 +466,34 @@ static void test_live(void) {
         {.name = "diffuse", .needs = NEEDS_DIFFUSE, .draw = draw_places},
     };
     struct program program = with_scenes(&needs_program, scenes_of_model, 2);
+    char request[6000] = "";
+    for (int i = 0; i < 300; i++) { /* more than a request may have */
+        string_append(request, sizeof request, "--stats ");
+    }
     draw_calls = finish_calls = 0;
-    CHECK(run_with_input(&dot_program, "--live", "--only film\n") == 0);
+    CHECK(run_with_input(&dot_program, "--live", request) == 0);
     CHECK(draw_calls == 1 && finish_calls == 1 && last_drawing.frame == 0);
-    CHECK(run_with_input(&dot_program, "--live", "--only film --frame 2\n") == 0);
-    CHECK(draw_calls == 2 && last_drawing.frame == 1);
+    snprintf(request, sizeof request, "--only film%5000s --frame 5\r\n", ""); /* all around */
+    CHECK(run_with_input(&dot_program, "--live", request) == 0);
+    CHECK(draw_calls == 2 && last_drawing.frame == 1 && strstr(output, " 2\ndots 3\nother 7\n"));
+    CHECK(memcmp(output + output_size - 36, "\1\2\4\377", 4) == 0); /* x = 1, y = 1 */
     put_file("mapped.obj", mapped_obj);
     CHECK(run_with_input(&program, "--live mapped.obj", "--only model\n") == 0);
     CHECK(draw_calls == 3);
     CHECK(run_with_input(&dot_program, "--live", "--only film --probe 0,1\n") == 0);
     CHECK(last_drawing.probed && last_drawing.probe.x == 0 && last_drawing.probe.y == 1);
+    CHECK(strstr(output, " 4\ndots 3\nother 7\n here and\n there\n") != NULL);
     CHECK(run_with_input(&dot_program, "--live", "--probe 16384,0\n--probe 0,-1\n") == 0);
     const char *refused = strstr(output, "\nerror --probe wants a pixel X,Y");
     CHECK(refused != NULL && strstr(refused + 1, "\nerror --probe wants") != NULL);
     CHECK(run_with_input(&text_program, "--live", "text\nline 2 0 4 0 10 20 30\nend\n") == 0);
     CHECK(strstr(output, "\nframe 5 5 ") != NULL);
     CHECK(memcmp(output + output_size - 12, "\12\24\36\377", 4) == 0); /* the third from the end */
+    CHECK(run_with_input(&text_program, "--live", "text\nends\nend\ntext\nlines\nend") == 0);
+    refused = strstr(output, "\nerror 'ends' is not known");
+    CHECK(refused != NULL && strstr(refused, "\nerror 'lines' is not known") != NULL);
+    CHECK(run_with_input(&dot_program, "--live", "text\nend\n") == 0);
+    CHECK(strstr(output, "\nerror takes no text scene\n") != NULL);
 }
 
 /* What --live says first. */
@@ -476,10 +501,12 @@ static void test_description(void) {
     static const struct scene_value values[] = {
         {"a", "the first", 0, 1, 0.5, 1}, {"b", "the other", -2, 2, 1, 0}, {.name = NULL}};
     static const struct scene two_scenes[] = {
-        {.name = "dot", .width = 4, .height = 3, .values = values, .draw = draw_dot},
+        {.name = "dot", .width = 4, .height = 3, .extra = true, .values = values},
         {.name = "model", .needs = NEEDS_MODEL, .light = {0, 0, 1}, .eye = {0, 0, 3}},
     };
-    const struct program program = with_scenes(&dot_program, two_scenes, 2);
+    struct program program = with_scenes(&dot_program, two_scenes, 2);
+    program.text = "a\nb";
+    program.text_values = values + 1;
     char *text = NULL;
     size_t size;
     FILE *out = open_memstream(&text, &size);
@@ -488,11 +515,15 @@ static void test_description(void) {
         fclose(out);
         CHECK_TEXT(text,
                    "{\"program\":\"probe\",\"scenes\":[{\"name\":\"dot\",\"width\":4,\"height\":3,"
-                   "\"frames\":1,\"values\":[{\"name\":\"a\",\"help\":\"the first\",\"least\":0,"
+                   "\"frames\":1,\"extra\":true,\"values\":[{\"name\":\"a\",\"help\":\"the "
+                   "first\",\"least\":0,"
                    "\"most\":1,\"step\":0.5,\"value\":1},{\"name\":\"b\",\"help\":\"the other\","
                    "\"least\":-2,\"most\":2,\"step\":1,\"value\":0}]},{\"name\":\"model\","
                    "\"width\":0,\"height\":0,\"frames\":1,"
-                   "\"light\":[0,0,1],\"eye\":[0,0,3],\"center\":[0,0,0],\"up\":[0,0,0]}]}\n");
+                   "\"light\":[0,0,1],\"eye\":[0,0,3],\"center\":[0,0,0],\"up\":[0,0,0]},"
+                   "{\"name\":\"your own\",\"frames\":1,\"text\":\"a\\nb\",\"values\":[{"
+                   "\"name\":\"b\",\"help\":\"the other\",\"least\":-2,\"most\":2,\"step\":1,"
+                   "\"value\":0}]}]}\n");
         free(text);
     }
 }
@@ -615,9 +646,11 @@ static void test_replaced(void) {
     CHECK(tga_write(&given, name_file(&place, "given.tga"), &error) &&
           tga_write(&grey, name_file(&place, "wild_nm.tga"), &error));
     two_scenes[0].draw = draw_nothing;
-    CHECK_RUN(&program, "-o out --only one --texture given.tga --specular given.tga wild.obj", 0,
+    CHECK_RUN(&program,
+              "-o out --only one --stats --texture given.tga --specular given.tga wild.obj", 0,
               "probe: wild_nm.tga: grey values: perhaps heights, but not normals; " NORMALS
-              "probe: scene one: nothing was drawn\nout/one.tga\n");
+              "probe: scene one: nothing was drawn\n"
+              "files.textures_present: 3\nfiles.textures_read: 2\n");
     two_scenes[0].draw = draw_sight;
     expected_sight = "1 0 0, 0 1 0, FF80805A FF80805A FF80805A";
     CHECK_RUN(&program,
@@ -637,21 +670,6 @@ static void test_replaced(void) {
               "colours nor its textures\nout/one.tga\n");
     CHECK_RUN(&dot_program, "--texture given.tga", 2,
               "probe: unknown option '--texture'; try --help\n");
-}
-
-/* --stats says how much was read: the model and the textures that a chosen scene needs, and nothing
- * at all where none needs a model. */
-static void test_stats_of_files(void) {
-    uint8_t white = 255;
-    const struct image image = {1, 1, IMAGE_GREY, &white};
-    struct error error;
-    put_file("mapped.obj", mapped_obj);
-    CHECK(tga_write(&image, name_file(&place, "mapped_nm.tga"), &error));
-    CHECK(tga_write(&image, name_file(&place, "mapped_diffuse.tga"), &error));
-    CHECK(run(&needs_program, "-o out --only diffuse --stats mapped.obj") == 0);
-    CHECK(strstr(output, "files.textures_present: 2\nfiles.textures_read: 1\n") != NULL);
-    CHECK(run(&needs_program, "-o out --only plain --stats mapped.obj") == 0);
-    CHECK(strstr(output, "files.") == NULL);
 }
 
 /* ---- Models out of view ---- */
@@ -790,11 +808,11 @@ static void test_turn_and_sides(void) {
           tga_write(&normal, name_file(&place, "up_diffuse.tga"), &error));
     expected_sight = "0.25 -0.75 0.5, 0 -2 1, FFE63C64 FFE69B3C none";
     CHECK_RUN(&program, "-o out --turn 1,0,0 up.obj", 0, "out/turned.tga\n");
-    CHECK_RUN(&program, "-o out --turn -3,4,-8 up.obj", 0, "out/turned.tga\n");
+    CHECK_RUN(&program, "-o out --turn 9,4,-8 up.obj", 0, "out/turned.tga\n");
     expected_sight = "0.75 0.5 -0.25, 2 1 0, FFE63C64 FF643C19 none";
     CHECK_RUN(&program, "-o out --turn 0,1,0 up.obj", 0, "out/turned.tga\n");
     expected_sight = "-0.5 0.25 0.75, -1 0 2, FFE63C64 FFC3E664 none";
-    CHECK_RUN(&program, "-o out --turn 0,0,1 up.obj", 0, "out/turned.tga\n");
+    CHECK_RUN(&program, "-o out --turn 0,0,-3 up.obj", 0, "out/turned.tga\n");
     scene.draw = draw_roof;
     scene.needs = NEEDS_MODEL | NEEDS_NORMALS;
     put_file("roof.obj", "v 0 0 1\nv 1 0 0\nv 0 1 1\nv -1 1 0\nf 1 2 3\nf 1 4 3\n");
@@ -949,8 +967,8 @@ static void test_clean_up(void) {
 UNIT_MAIN(TEST(test_begin), TEST(test_usage), TEST(test_help), TEST(test_extra), TEST(test_formats),
           TEST(test_frames), TEST(test_stats_and_repeat), TEST(test_repeat_time), TEST(test_camera),
           TEST(test_failures), TEST(test_text_scene), TEST(test_needs), TEST(test_live),
-          TEST(test_description), TEST(test_set), TEST(test_points_and_notes),
-          TEST(test_stats_of_files), TEST(test_grey), TEST(test_out_of_view), TEST(test_replaced),
-          TEST(test_tiny_and_wrong), TEST(test_turn_and_sides), TEST(test_details),
-          TEST(test_failing_scenes), TEST(test_end_of_options), TEST(test_unprepared),
-          TEST(test_full_output), TEST(test_text_names), TEST(test_clean_up))
+          TEST(test_description), TEST(test_set), TEST(test_points_and_notes), TEST(test_grey),
+          TEST(test_out_of_view), TEST(test_replaced), TEST(test_tiny_and_wrong),
+          TEST(test_turn_and_sides), TEST(test_details), TEST(test_failing_scenes),
+          TEST(test_end_of_options), TEST(test_unprepared), TEST(test_full_output),
+          TEST(test_text_names), TEST(test_clean_up))
