@@ -183,13 +183,13 @@ static void test_coordinates(void) {
                    "usemtl f\nf 1/1 2/2 3/3\nf 1 2/2 3\n",
                    "newmtl a\nKd 1 1 1\nnewmtl b\nmap_Kd -s 2 1 1 no.png\n"
                    "newmtl c\nmap_Kd -s 1 4 1 no.png\nnewmtl d\nmap_Kd -o 0.5 0 no.png\n"
-                   "newmtl e\nmap_Kd -o 0 -1 no.png\nnewmtl f\nmap_Kd -s 2 4 1 -o 1 -2 no.png\n")) {
-        for (size_t i = 0; i < parts.count; i++) {
+                   "newmtl e\nmap_Kd -o 0 -1 no.png\nnewmtl f\nmap_Kd -s 2 4 1 -o 1 -2 no.png\n") &&
+        CHECK(parts.count == 6 && model.uv_count == 18)) {
+        for (size_t i = 0; i < 6; i++) {
             struct vec2 uv = model_uv(&parts.part[i].model, 0, 2);
             CHECK(uv.x == moved[i].x && uv.y == moved[i].y);
         }
         CHECK(parts.part[5].model.faces[1].corner[0].uv == MODEL_NONE);
-        CHECK(parts.count == 6 && model.uv_count == 18);
     }
     parts_free(&parts);
     model_free(&model);

@@ -31,6 +31,7 @@ static void test_read(void) {
         {TEXT_SCENE_LINES, "", "0x0"},
         {TEXT_SCENE_TRIANGLES, "# nothing\n", "0x0"},
         {TEXT_SCENE_LINES, "size 1 16384\n", "1x16384"},
+        {TEXT_SCENE_LINES, "size 16384 1\n", "16384x1"},
         {TEXT_SCENE_LINES,
          "\xEF\xBB\xBF# two lines\r\n\r\nsize 100 50 # wide\r\nline 13 20 80 40 255 0 7\r"
          "\tline -1000000 +1000000 0 0  1 2 3  4 5 6",
@@ -86,6 +87,7 @@ static void test_messages(void) {
         {TEXT_SCENE_TRIANGLES, "triangle 1 2 3 4 5 6 7 8 0.5",
          "1: colour level '0.5' is not a whole number"},
         {TEXT_SCENE_LINES, "size 0 5", "1: width 0 lies outside 1..16384"},
+        {TEXT_SCENE_LINES, "size 5 0", "1: height 0 lies outside 1..16384"},
         {TEXT_SCENE_LINES, "size 5 16385", "1: height 16385 lies outside 1..16384"},
         {TEXT_SCENE_LINES, "size 5", "1: 'size' takes 2 numbers, not 1"},
         {TEXT_SCENE_LINES, "size 5 5 5", "1: 'size' takes 2 numbers, not 3"},
