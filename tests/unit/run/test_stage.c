@@ -85,7 +85,6 @@ static void test_needs(void) {
         {"", "--two-sided m.obj bare.obj", NEEDS_MODEL, 0, "vt0 vn0 l0vt0 vn0 l0"},
         {"", "--two-sided m.obj bare.obj", NEEDS_NORMALS, 0, "vt0 vn2 l0vt0 vn8 l0"},
         {"", "m.obj", NEEDS_COLORS, 0, "vt0 vn1 l0 mtl Kd"},
-        {"", "m.obj", NEEDS_LINES, 0, "vt0 vn0 l1"},
         {"", "m.obj", NEEDS_NORMAL_MAP, 0,
          "vt3 vn1 l0 mtl; m.obj: no m_nm.tga next to it, nor other"},
         {"", "m.obj", TEXTURES, 0,
@@ -179,8 +178,8 @@ static void test_drawing(void) {
     begin(&run, &stage, &scene, "--stats --probe 3,1", sight);
     const struct drawing *d = &stage.drawing;
     CHECK(sight[0] == '\0' && d->number == 7 && d->stats && d->skip && d->text == &text);
-    CHECK(d->probed && d->probe.x == 3 && d->probe.y == 1 && d->up.z == 1 && d->up.y == 0 &&
-          d->center.x == 1);
+    CHECK(d->probed && d->probe.x == 3 && d->probe.y == 1 && d->up.z == 1 && d->eye.z == 6 &&
+          d->up.y == 0 && d->center.x == 1);
     CHECK(*(const char *)d->state == 0);
     for (size_t frame = 1; frame < 3; frame++) {
         CHECK(stage_draw(&stage, &image, frame, &error) && d->depth[19] == (double)frame);
