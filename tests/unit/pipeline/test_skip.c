@@ -234,6 +234,24 @@ static void test_within_roundings_of_a_side(void) {
     target_free(&target);
 }
 
+/* Two walls before a third one leave a column or a row between them, where that shows: each pixel
+ * of a tile is asked for. */
+static void test_narrow_gaps(void) {
+    struct trial trial;
+    CHECK(trial_begin(&trial));
+    for (int i = 0; i < WIDTH + HEIGHT; i++) {
+        struct vec3 along = {i < WIDTH, i >= WIDTH, 0}, near = {0, 0, 0.5};
+        double size = i < WIDTH ? WIDTH : HEIGHT, begin = 2 * (i % WIDTH) / size - 1;
+        scene = (struct scene){.name = "a gap of one pixel"};
+        add_object(&scene, &wall, mat4_translation(near), vec3_scale(along, begin - 2), 1);
+        add_object(&scene, &wall, mat4_translation(near), vec3_scale(along, begin + 2 / size + 2),
+                   1);
+        add_object(&scene, &wall, mat4_identity(), origin, 1);
+        compare(&trial, &scene, CULL_NONE, &smooth);
+    }
+    trial_end(&trial);
+}
+
 /* ---- Rounds ---- */
 
 /* Where the round ends in which the object at that place in the order comes: the first has four
@@ -391,5 +409,6 @@ static void test_roundings_within_a_face(void) {
     trial_end(&trial);
 }
 
-UNIT_MAIN(TEST(test_within_roundings_of_a_side), TEST(test_rounds), TEST(test_askew),
-          TEST(test_within_roundings_of_a_wall), TEST(test_roundings_within_a_face))
+UNIT_MAIN(TEST(test_within_roundings_of_a_side), TEST(test_narrow_gaps), TEST(test_rounds),
+          TEST(test_askew), TEST(test_within_roundings_of_a_wall),
+          TEST(test_roundings_within_a_face))
