@@ -144,6 +144,13 @@ static void test_face_past_a_corner(void) {
     CHECK(target.pipeline.stats[STAT_FACES_OUTSIDE] == 1);
     CHECK(target.pipeline.stats[STAT_FACES_CLIPPED] == 0);
     target_free(&target);
+    for (int way = 0; way < 2; way++) { /* left of the view, beyond no other side */
+        const struct mat4 left = {{{0.01, 0, 0, -4}, {0, 0.001, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}};
+        draw_alone(&mesh, left, &number_shader, way);
+        CHECK(target.pipeline.stats[STAT_FACES_OUTSIDE] == 1);
+        CHECK(target.pipeline.stats[STAT_CALLS_OUTSIDE] == (way == 0));
+        target_free(&target);
+    }
 }
 
 /* Of an object so large that the corners of its box are no numbers nothing is known: what of it is
@@ -207,6 +214,30 @@ static void test_prepared(void) {
         CHECK(wrong == 0);
         target_free(&target);
     }
+}
+
+static void byte_vertex(const void *uniforms, size_t face, size_t corner, double *varyings) {
+    (void)face, (void)corner;
+    varyings[0] = *(const uint8_t *)uniforms;
+}
+
+SHADER(byte_shader, .varying_count = 1, .vertex = byte_vertex, .fragment = number_fragment);
+
+/* Each draw call has its own uniforms, though they are a byte; or none, where nothing asks. */
+static void test_uniforms_of_a_byte(void) {
+    static struct mesh mesh;
+    struct error error;
+    make_cover(&mesh, 1);
+    CHECK(frame_begin(0));
+    for (uint8_t i = 0; i < 3; i++) {
+        struct rectangle part = {16 * (i / 2), 0, 8 * i, SIZE};
+        struct draw_call call = {&mesh.model, place_is_xyw, part, CULL_NONE};
+        const void *own = i > 0 ? &i : NULL;
+        CHECK(pipeline_draw(&target.pipeline, &call, &byte_shader, own, i > 0, &error));
+    }
+    frame_finish();
+    CHECK(frame_count(1) == 8 * SIZE && frame_count(2) == 16 * SIZE);
+    target_free(&target);
 }
 
 /* Of a place, what is smaller than a level. */
@@ -279,6 +310,40 @@ static void test_cut_from_both_ends(void) {
         CHECK(target.pipeline.stats[STAT_FACES_CLIPPED] == 2);
         target_free(&target);
     }
+}
+
+/* A face that is cut is the same to the last bit, whichever of its corners comes first; also where
+ * corners differ only in x, in depth or in w. */
+static void test_cut_from_any_corner(void) {
+    static const double places[] = {-0.7, 0.4, 1.3};
+    static struct mesh mesh;
+    struct random random = {20};
+    size_t cut = 0;
+    for (int i = 0; i < 300; i++) {
+        struct mat4 to_clip = place_is_xyw;
+        struct target seen[3];
+        double p[9];
+        to_clip.m[2][2] = i % 3 - 1;
+        for (int k = 0; k < 9; k++) {
+            p[k] = places[random_bits(&random) % 3];
+        }
+        for (int k = 0; k < 3; k++) {
+            mesh_begin(&mesh);
+            for (int c = k; c < k + 3; c++) {
+                mesh_vertex(&mesh, p[c % 3], p[3 + c % 3], p[6 + c % 3]);
+            }
+            mesh_face(&mesh, 0, 1, 2);
+            draw_alone(&mesh, to_clip, &place_shader, 0);
+            seen[k] = target;
+        }
+        CHECK(same_image(&seen[0].image, &seen[1].image) &&
+              same_image(&seen[0].image, &seen[2].image));
+        cut += target.pipeline.stats[STAT_FACES_CLIPPED] > 0 && frame_count(0) < SIZE * SIZE;
+        for (int k = 0; k < 3; k++) {
+            target_free(&seen[k]);
+        }
+    }
+    CHECK(cut > 50);
 }
 
 /* Nothing nearer than w = 1/128 is drawn, and everything else is. */
@@ -436,6 +501,7 @@ static void test_errors(void) {
 }
 
 UNIT_MAIN(TEST(test_face_past_a_corner), TEST(test_object_too_large_to_judge), TEST(test_prepared),
+          TEST(test_uniforms_of_a_byte), TEST(test_cut_from_any_corner),
           TEST(test_cut_from_both_ends), TEST(test_nearest_w), TEST(test_depth_overflows),
           TEST(test_scale_of_clip_space), TEST(test_grid_cell), TEST(test_not_finite),
           TEST(test_wrapped_level), TEST(test_far_apart), TEST(test_threads_end), TEST(test_errors))
