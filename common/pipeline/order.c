@@ -4,8 +4,6 @@
  */
 #include "pipeline.h"
 
-#include <float.h>
-
 /* The calls of the first round; and how many there must be for more than one. */
 enum { FIRST_ROUND = 4, MANY = 16 };
 
@@ -37,7 +35,7 @@ static double find_slack(const struct mat4 *to_clip, const struct box *box) {
         const double *m = to_clip->m[row];
         most += fabs(m[3]) + (fabs(m[0]) + fabs(m[1]) + fabs(m[2])) * fabs(farthest);
     }
-    return 4e-14 * most + DBL_MIN;
+    return 4e-14 * most;
 }
 
 /* The pixels between two places in NDC, and one more on either side, cut to the viewport. */
@@ -78,7 +76,7 @@ static struct screen_place find_place(const struct draw_call *call, const struct
             largest = fmax(fabs(at[k]), largest);
         }
     }
-    double more = slack * (1 + largest) / least_w + 1e-13 * largest;
+    double more = slack * (1 + largest) / least_w;
     if (beyond != 0 && slack < INFINITY) {
         place = (struct screen_place){{v->x, v->x}, {v->y, v->y}, -INFINITY};
     } else if (slack < INFINITY && least_w >= NEAR_W && largest <= 1e9) {
