@@ -577,8 +577,7 @@ static void test_long_faces(void) {
     }
     for (int i = 0; i < 16; i++) { /* upright along the centres of each column of a chunk */
         int32_t x = 17 * 256 * i + 128;
-        add_face(part,
-                 &(struct placed){{{x, -9999}, {x + 999, -9999}, {x, 9999}}, {400, 400, 400}});
+        add_face(part, &(struct placed){{{x, -999}, {x + 999, -999}, {x, 9999}}, {99, 99, 99}});
     }
     if (CHECK(target_create(&target, scene.width, scene.height, IMAGE_BGR))) {
         check_scene(&target, &scene);

@@ -237,15 +237,15 @@ static void test_within_roundings_of_a_side(void) {
 /* Two walls before a third one leave a column or a row between them, where that shows: each pixel
  * of a tile is asked for. */
 static void test_narrow_gaps(void) {
+    const struct mat4 nearer = mat4_translation((struct vec3){0, 0, 0.5});
     struct trial trial;
     CHECK(trial_begin(&trial));
     for (int i = 0; i < WIDTH + HEIGHT; i++) {
-        struct vec3 along = {i < WIDTH, i >= WIDTH, 0}, near = {0, 0, 0.5};
+        struct vec3 along = {i < WIDTH, i >= WIDTH, 0};
         double size = i < WIDTH ? WIDTH : HEIGHT, begin = 2 * (i % WIDTH) / size - 1;
         scene = (struct scene){.name = "a gap of one pixel"};
-        add_object(&scene, &wall, mat4_translation(near), vec3_scale(along, begin - 2), 1);
-        add_object(&scene, &wall, mat4_translation(near), vec3_scale(along, begin + 2 / size + 2),
-                   1);
+        add_object(&scene, &wall, nearer, vec3_scale(along, begin - 2), 1);
+        add_object(&scene, &wall, nearer, vec3_scale(along, begin + 2 / size + 2), 1);
         add_object(&scene, &wall, mat4_identity(), origin, 1);
         compare(&trial, &scene, CULL_NONE, &smooth);
     }

@@ -118,7 +118,7 @@ static bool triangle_is_exact(const void *tried) {
             }
         }
     }
-    return true;
+    return !any || oracle_turn(c[0], c[1], c[2]) != 0;
 }
 
 typedef void draw_triangle(struct image *image, const struct fixed2 corner[3], struct color color);
