@@ -490,13 +490,13 @@ static void check_size(struct random *random, size_t width, size_t height) {
     enum image_format format = random_bits(random) % 2 ? IMAGE_BGR : IMAGE_BGRA;
     CHECK(target_create(&target, width, height, format));
     images[0] = target.image;
-    CHECK(image_create(&images[1], width, height, random_bits(random) % 2 ? IMAGE_BGR : IMAGE_BGRA,
-                       &error));
+    CHECK(image_create(&images[1], width, height, IMAGE_BGRA, &error));
     scene.width = width;
     scene.height = height;
     for (int frame = 0; frame < 6; frame++) {
         struct pipeline *pipeline = &target.pipeline;
         struct image *image = &images[random_bits(random) % 4 == 0];
+        images[1].format = random_bits(random) % 2 ? IMAGE_BGR : IMAGE_BGRA; /* the same memory */
         pipeline->clearing =
             random_bits(random) % 2 ? CLEAR_LAST_FRAME : (enum clearing)(random_bits(random) % 3);
         if (pipeline->clearing != CLEAR_LAST_FRAME || image != last) {
