@@ -620,7 +620,7 @@ static void test_many_calls(void) {
             if (random_bits(&random) % 64 == 0) {
                 add_level_face(part, 256 * (int32_t)random_between(&random, 0, 90),
                                256 * (int32_t)random_between(&random, 0, 40), 60 * 256,
-                               random_between(&random, 0, 48));
+                               16 * random_between(&random, 0, 3));
             }
         }
         target.pipeline.skip = frame % 8 != 7;
