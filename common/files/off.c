@@ -149,7 +149,7 @@ static bool read_counts(struct model_reader *reader, struct word word, struct of
         !skip_edges(reader, guess, &counts->in_doubt)) {
         return false;
     }
-    uint64_t left = (uint64_t)(reader->text.end - reader->text.next) + 1;
+    uint64_t left = (uint64_t)(reader->text.end - reader->text.next);
     return (counts->vertices <= left / 6 && counts->faces <= left / 2) ||
            text_error(reader->error, reader->line,
                       "%zu vertices and %zu faces are more than the file can hold",

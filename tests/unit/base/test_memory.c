@@ -101,6 +101,7 @@ void __wrap_free(void *block) {
 static struct {
     struct image grey, color, clear;                        /* 8, 24 and 32 bits */
     struct bytes long_scene, long_obj, one_color, long_off; /* so long that arrays grow twice */
+    struct bytes two_ways;                                  /* OFF that may have edges or not */
     struct model cube, many;                                /* without normals; see make_models() */
 } inputs;
 
@@ -170,7 +171,7 @@ static bool make_texts(void) {
            repeat_line(obj, "v 0 0 0\nvt 0 0\nvn 0 0 1\n", 1) &&
            repeat_line(obj, "v 0 0 0 1 1 1\nvt 0 0\nvn 0 0 1\nf 1/1/1 2/2/1 -1//-1\n", 100) &&
            repeat_line(obj, "v 4 0 0\nv 4 4 0\nv 1 1 0\nv 0 4 0\nv 0 0 0\n", 20) &&
-           repeat_line(obj, "f -5 -4 -3 -2\n", 1) && repeat_line(obj, "f", 1) &&
+           repeat_line(obj, "mtllib a\nusemtl a\nf -5 -4 -3 -2\n", 1) && repeat_line(obj, "f", 1) &&
            repeat_line(obj, " -5 -4 -3 -2", 70) &&
            /* Colours only at the first position: the others are added when all are known. */
            repeat_line(first, "v 0 0 0 1 1 1\n", 1) && repeat_line(first, "v 1 2 3\n", 100) &&
@@ -179,7 +180,8 @@ static bool make_texts(void) {
            repeat_line(off, "STCNOFF 100 110\n", 1) &&
            repeat_line(off, "0 0 0  0 0 1  1 1 1  0 0\n", 100) &&
            repeat_line(off, "4 0 1 2 3\n", 70) && repeat_line(off, "4 0 1 2 3 255 0 0\n", 20) &&
-           repeat_line(off, "4 0 1 2 3\n", 20);
+           repeat_line(off, "4 0 1 2 3\n", 20) &&
+           repeat_line(&inputs.two_ways, "OFF\n4 1\n3\n0 0 0\n1 0 0\n1 1 0\n0 1 3\n3 0 1 2\n", 1);
 }
 
 /* A cube; and one face that is cut into several pieces, with more whole ones than there is room
@@ -222,6 +224,7 @@ static void free_inputs(void) {
     bytes_free(&inputs.long_obj);
     bytes_free(&inputs.one_color);
     bytes_free(&inputs.long_off);
+    bytes_free(&inputs.two_ways);
     model_free(&inputs.cube);
     model_free(&inputs.many);
     place_remove(&place, "scene.txt,cube.obj,cube.off,cube_diffuse.tga,cube_nm.png");
@@ -302,7 +305,7 @@ static bool decode_model(const struct bytes *text, struct error *error) {
 
 static bool decode_models(struct error *error) {
     return decode_model(&inputs.long_obj, error) && decode_model(&inputs.one_color, error) &&
-           decode_model(&inputs.long_off, error);
+           decode_model(&inputs.long_off, error) && decode_model(&inputs.two_ways, error);
 }
 
 static bool give_normals_and_colors(struct error *error) {

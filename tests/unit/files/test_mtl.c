@@ -51,9 +51,10 @@ static void test_many_materials(void) {
     struct error error;
     CHECK(bytes_append(&text, SQUARE, strlen(SQUARE)));
     for (int i = 0; i < 1026; i++) {
-        CHECK(bytes_print(&text, "usemtl m%d\nf 1 2 3\n", i));
+        CHECK(bytes_print(&text, "g x\nmtllib l\nusemtl m%d\nf 1 2 3\n", i));
     }
     if (CHECK(model_decode(&m, text.data, text.size, &error))) {
+        CHECK(m.library_count == 1026 && m.library_line == 6);
         CHECK(m.material_count == 1024 && m.face_materials[1023] == 1023);
         CHECK(m.face_materials[1024] == MODEL_NONE && m.face_materials[1025] == MODEL_NONE);
     }
