@@ -122,9 +122,9 @@ bool model_need_normals(struct model *model, struct error *error) {
 
 /* ---- Colours ---- */
 
-/* -1..1 becomes 0..1. Rounding may have left a coordinate just below -1. */
+/* -1..1 becomes 0..1. */
 static float level_of(double coordinate) {
-    return coordinate > -1 ? (float)((coordinate + 1) / 2) : 0;
+    return (float)((coordinate + 1) / 2);
 }
 
 static void fill_with_grey(struct model *model) {

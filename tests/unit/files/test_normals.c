@@ -144,6 +144,7 @@ static void test_back_to_back(void) {
 static void test_computed_normals(void) {
     static const char *const texts[] = {
         SQUARE "f 1//1 2//1 3//1\n",
+        SQUARE "vn 0 0 1\nf 1 2//1 3//1\n",
         SQUARE "vn 0 0 0\nf 1//1 2//1 3//1\n",
         SQUARE "vn 1 0 0\nvn nan nan nan\nf 1//2 2//2 3//2\n",
         "NOFF\n3 1\n0 0 0 0 0 0\n1 0 0 nan nan nan\n0 1 0 -nan(ind) 0 0\n3 0 1 2\n",
@@ -176,18 +177,18 @@ static void test_narrow_corner(void) {
 /* ---- Colours ---- */
 
 static void test_colors_from_normals(void) {
-    static const char text[] = SQUARE "v 9 9 9\nvn 0 0 -5\nvn 3 4 0\nvn 0 0 0\n"
-                                      "f 1//1 2//2 3//3\nf 1//2 3//2 4\n";
+    static const char text[] = "v 9 9 9\n" SQUARE "vn 0 0 -5\nvn 3 4 0\nvn 0 0 0\n"
+                               "f 2//1 3//2 4//3\nf 2//2 4//2 5\n";
     struct model m;
     struct error error;
     if (!decode_right(&m, text) || !CHECK(model_need_colors(&m, &error))) {
         return;
     }
-    CHECK(same3(m.colors[0], 0.5F, 0.5F, 0)); /* the first face decides */
-    CHECK(same3(m.colors[1], 0.8F, 0.9F, 0.5F));
-    CHECK(same3(m.colors[2], 0.5F, 0.5F, 1));    /* computed: the one given has no length */
-    CHECK(same3(m.colors[3], 0.5F, 0.5F, 1));    /* computed: none is given */
-    CHECK(same3(m.colors[4], 0.5F, 0.5F, 0.5F)); /* of no face */
+    CHECK(same3(m.colors[1], 0.5F, 0.5F, 0)); /* the first face decides */
+    CHECK(same3(m.colors[2], 0.8F, 0.9F, 0.5F));
+    CHECK(same3(m.colors[3], 0.5F, 0.5F, 1));    /* computed: the one given has no length */
+    CHECK(same3(m.colors[4], 0.5F, 0.5F, 1));    /* computed: none is given */
+    CHECK(same3(m.colors[0], 0.5F, 0.5F, 0.5F)); /* of no face */
     model_free(&m);
 }
 
@@ -204,7 +205,8 @@ static void test_colors_of_materials(void) {
         CHECK(model_need_colors(&m, &error) && (m.face_colors == NULL) == grey);
         struct vec3 white = model_color(&m, 0, 2), a = model_color(&m, 1, 0);
         struct vec3 b = model_color(&m, 2, 1);
-        CHECK(grey || (white.y == 1 && white.z == 1 && a.x == 0.25 && b.x == 1 && b.z == 0.5));
+        CHECK(grey || (white.x == 1 && white.y == 1 && white.z == 1 && a.x == 0.25 && b.x == 1 &&
+                       b.z == 0.5));
         CHECK(!grey || same3(m.colors[0], 0.5F, 0.5F, 1)); /* of the normal */
         model_free(&m);
     }

@@ -3,6 +3,7 @@
 
 #include "base/array.h"
 #include "files/model_file.h"
+#include "files/normals.h"
 #include "unit/images.h"
 
 #define OCTAHEDRON "v 1 0 0\nv -1 0 0\nv 0 1 0\nv 0 -1 0\nv 0 0 1\nv 0 0 -1\n"
@@ -88,6 +89,11 @@ static void test_kept(void) {
         CHECK(model.face_materials[i] == (i < 2 ? 0 : 1));
     }
     model_free(&model);
+    model = decode("v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 1 1 0\nf 1//1 2//1 3\n");
+    CHECK(model_add_other_sides(&model, false, &error));
+    CHECK(model.faces[0].corner[2].normal == MODEL_NONE && model.faces[0].corner[0].normal == 0);
+    CHECK(model.faces[1].corner[1].normal == MODEL_NONE && model.faces[1].corner[0].normal == 1);
+    model_free(&model);
 }
 
 /* Each of a face's normals counts: one that points inside outweighs two that hardly point
@@ -111,18 +117,53 @@ static void test_each_normal_counts(void) {
     }
 }
 
-/* Where three faces meet, none decides how another is wound. */
-static void test_three_meet(void) {
-    struct model model = decode("v 0 0 0\nv 0 1 0\nv 1 0 0\nv -1 0 1\nv -1 0 -1\n"
-                                "f 1 2 3\nf 1 2 4\nf 1 2 5\n");
+/* Where three faces meet, none decides how another is wound, and a Moebius strip has one side: the
+ * faces stay as they are. */
+static void test_undecided(void) {
+    static const char *const texts[] = {
+        "v 0 0 0\nv 0 1 0\nv 1 0 0\nv -1 0 1\nv -1 0 -1\nf 1 2 3\nf 1 2 4\nf 1 2 5\n",
+        "v 0 0 0\nv 0 1 0\nv 1 0 0\nv -1 0 1\nv -1 0 -1\n"
+        "f 1 2 3\nf 3 2 4\nf 3 4 5\nf 5 4 1\nf 5 1 2\n",
+    };
+    for (size_t k = 0; k < 2; k++) {
+        struct model model = decode(texts[k]), kept = decode(texts[k]);
+        struct error error;
+        CHECK(model_add_other_sides(&model, true, &error));
+        for (size_t i = 0; i < 3 * kept.face_count; i++) {
+            CHECK(
+                same_corner(model.faces[i / 3 * 2].corner[i % 3], kept.faces[i / 3].corner[i % 3]));
+        }
+        model_free(&model);
+        model_free(&kept);
+    }
+}
+
+/* More faces than the least arrays have room for, which are small. */
+static void test_many(void) {
+    struct bytes text = {0};
+    struct model model;
     struct error error;
-    CHECK(model_add_other_sides(&model, true, &error) && model.face_count == 6);
-    for (uint32_t i = 0; i < 3; i++) {
-        const struct corner *corner = model.faces[2 * (size_t)i].corner;
-        CHECK(corner[0].position == 0 && corner[1].position == 1 && corner[2].position == 2 + i);
+    for (int i = 0; i < 42; i++) {
+        CHECK(bytes_print(&text, "v %g %g 0\nvn 0 0 1\n", i / 1e3, i * i / 1e5));
+    }
+    CHECK(bytes_print(&text, "usemtl a\nf"));
+    for (int i = 1; i <= 42; i++) {
+        CHECK(bytes_print(&text, " %d//%d", i, i));
+    }
+    CHECK(model_decode(&model, text.data, text.size, &error));
+    model.materials[0].color[0] = 0.5F;
+    CHECK(model_need_colors(&model, &error) && model_add_other_sides(&model, true, &error));
+    CHECK(model.face_count == 80 && model.normal_count == 84);
+    for (size_t i = 0; i < 40; i++) {
+        check_sides(&model, i);
+    }
+    for (size_t i = 0; i < 80; i++) {
+        const float *color = model.face_colors[i];
+        CHECK(color[0] == 0.5F && color[1] == 1 && model.face_materials[i] == 0);
     }
     model_free(&model);
+    bytes_free(&text);
 }
 
 UNIT_MAIN(TEST(test_mixed_winding), TEST(test_kept), TEST(test_each_normal_counts),
-          TEST(test_three_meet))
+          TEST(test_undecided), TEST(test_many))
