@@ -92,10 +92,10 @@ static void test_turn(void) {
     const struct vec3 v = {0.1, -1.0 / 3, 7e-9};
     for (int i = -64; i < 64; i++) {
         const int turns[3] = {i % 4, i / 4 % 4, i / 16};
-        float normals[][3] = {{0.1F, -0.25F, 9}};
-        struct vec3 position = v;
+        float normals[][3] = {{0.1F, -0.25F, 9}, {0.1F, -0.25F, 9}};
+        struct vec3 positions[] = {v, v};
         struct model model = {
-            .positions = &position, .position_count = 1, .normals = normals, .normal_count = 1};
+            .positions = positions, .position_count = 2, .normals = normals, .normal_count = 2};
         struct vec4 expected = {v.x, v.y, v.z, 1}, normal = {0.1F, -0.25F, 9, 0};
         for (int k = 0; k < 3; k++) {
             struct mat4 rotation = mat4_rotation(axes[k], turns[k] / 4.0);
@@ -103,9 +103,10 @@ static void test_turn(void) {
             normal = mat4_apply(&rotation, normal);
         }
         model_turn(&model, turns);
+        struct vec3 position = positions[i & 1];
         CHECK(position.x == expected.x && position.y == expected.y && position.z == expected.z);
-        CHECK((double)normals[0][0] == normal.x && (double)normals[0][1] == normal.y &&
-              (double)normals[0][2] == normal.z);
+        const float *n = normals[i & 1];
+        CHECK((double)n[0] == normal.x && (double)n[1] == normal.y && (double)n[2] == normal.z);
         CHECK(memcmp(model.turns, turns, sizeof turns) == 0);
     }
 }
@@ -140,26 +141,28 @@ static void test_reaching_out(void) {
     }
 }
 
-/* Lines count as faces do, and a model may have nothing else. */
+/* Lines count as faces do, and a model may have nothing else. Each end may be the farthest. */
 static void test_lines(void) {
-    for (int all_around = 0; all_around < 2; all_around++) {
-        struct vec3 positions[] = {{9, 9, 9}, {1, 2, 3}, {5, 4, 3}};
-        uint32_t lines[][2] = {{1, 2}};
+    for (size_t i = 0; i < 8; i++) {
+        struct vec3 positions[] = {{9, 9, 9}, {1, 0, 3}, {0, 1, 3}, {-1, 0, 3}, {0, -1, 3}};
+        uint32_t lines[][2] = {{1, 2}, {3, 4}};
         struct model model = {
-            .position_count = 3, .positions = positions, .line_count = 1, .lines = lines};
+            .position_count = 5, .positions = positions, .line_count = 2, .lines = lines};
+        struct vec3 *far = &positions[1 + i / 2];
+        *far = (struct vec3){far->x == 0 ? 1 : far->x, far->y == 0 ? 1 : far->y, 3};
         struct box3 box = model_box(&model);
-        CHECK(box.least.x == 1 && box.least.y == 2 && box.least.z == 3);
-        CHECK(box.greatest.x == 5 && box.greatest.y == 4 && box.greatest.z == 3);
-        model_fit(&model, all_around == 1);
-        double reach = all_around ? vec3_length(positions[1]) : positions[2].x;
-        CHECK(fabs(reach - (all_around ? 0.875 : 0.95)) < 1e-12);
+        CHECK(box.least.x == -1 && box.least.y == -1 && box.least.z == 3);
+        CHECK(box.greatest.x == 1 && box.greatest.y == 1 && box.greatest.z == 3);
+        model_fit(&model, i % 2 == 1);
+        double reach = i % 2 == 1 ? vec3_length(*far) : longest_side(model_box(&model)) / 2;
+        CHECK(fabs(reach - (i % 2 == 1 ? 0.875 : 0.95)) < 1e-12);
     }
 }
 
 static void test_tiny(void) {
     CHECK(box_is_tiny((struct box3){{5, 5, 5}, {5.3, 5.3, 5.3}}));
     CHECK(box_is_tiny((struct box3){{5, 5, 5}, {5, 5, 5}}));
-    CHECK(!box_is_tiny((struct box3){{0, 0, 0}, {0, 0, 0.5}}));
+    CHECK(!box_is_tiny((struct box3){{0, 0, 0}, {0, 0, 0.4}}));
     CHECK(!box_is_tiny((struct box3){{0, -0.3, 0}, {0, 0.3, 0}}));
 }
 

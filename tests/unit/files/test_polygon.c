@@ -138,21 +138,23 @@ struct laid {
 };
 
 /* By one of six permutations of the axes, on a slanted plane, with any corner first, and scaled by
- * a power of two. */
+ * a power of two; often drawn out to be thin, or far from the origin. */
 static struct laid lay(const struct polygon *p, bool backwards) {
     static const int orders[6][3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1},
                                      {0, 2, 1}, {2, 1, 0}, {1, 0, 2}};
     struct laid laid = {.size = p->size};
     const int *order = orders[random_int(0, 5)];
-    int a = random_int(-1, 1), b = random_int(-1, 1);
+    int a = random_int(-1, 1), b = random_int(-1, 1), longer = 1 << 20 * random_int(0, 1);
+    int64_t away = random_int(-1, 1) * ((int64_t)1 << 40);
     int exponent = random_int(0, 1) == 1 ? random_int(-390, 340) : 0;
     size_t first = (size_t)random_int(0, (int)p->size - 1);
     for (size_t i = 0; i < p->size; i++) {
         size_t k = (first + (backwards ? p->size - i : i)) % p->size;
-        const int64_t whole[3] = {p->x[k], p->y[k], a * p->x[k] + b * p->y[k]};
+        int64_t x = longer * p->x[k], y = p->y[k];
+        const int64_t whole[3] = {x, y, a * x + b * y};
         double place[3];
         for (int axis = 0; axis < 3; axis++) {
-            place[axis] = ldexp((double)whole[order[axis]], exponent);
+            place[axis] = ldexp((double)(whole[order[axis]] + away), exponent);
         }
         laid.places[i] = (struct vec3){place[0], place[1], place[2]};
         laid.corner[i] = k;
