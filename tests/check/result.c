@@ -194,10 +194,12 @@ struct result_text result_advice(const struct step_result *result, const struct 
         }
         result_say(&advice, "%s%u", i > 0 ? " or " : "", item->looks_figures[i]);
     }
-    result_say(&advice, "; make hint STEP=%.2s TASK=%s", result->name + strlen("step"),
-               first_suspect(result, item));
+    const char *first = first_suspect(result, item);
+    result_say(&advice, "; make hint STEP=%.2s TASK=%s", result->name + strlen("step"), first);
     for (size_t i = 1; i < item->looks_task_count; i++) {
-        result_say(&advice, " or TASK=%s", item->looks_tasks[i].text);
+        if (strcmp(item->looks_tasks[i].text, first) != 0) {
+            result_say(&advice, " or TASK=%s", item->looks_tasks[i].text);
+        }
     }
     return advice;
 }

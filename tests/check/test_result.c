@@ -172,6 +172,18 @@ static void test_advice(void) {
         const struct step_result step = {.name = "step08_a", .items = &item, .item_count = 1};
         CHECK_TEXT(result_advice(&step, &item).text, cases[i].advice);
     }
+    /* Where numbers lay it to one of the likely tasks, that is named once. */
+    static const char *const texts[] = {"picture 8b.2,8c.1 - FAIL 8b.2,8c.1",
+                                        "numbers 8c.1 - FAIL -"};
+    struct credit credits[2];
+    struct item_result items[2] = {{.counter = ""}, {.counter = ""}};
+    struct task_result tasks[4] = {{.points = 0}};
+    struct step_result step = {
+        .name = "step08_a", .state = RESULT_FAIL, .items = items, .item_count = 2, .tasks = tasks};
+    read_item(&items[0], &credits[0], texts[0]);
+    read_item(&items[1], &credits[1], texts[1]);
+    step_result_finish(&step);
+    CHECK_TEXT(result_advice(&step, &items[0]).text, "; make hint STEP=08 TASK=8c.1");
 }
 
 UNIT_MAIN(TEST(test_advice), TEST(test_pictures_show), TEST(test_likenesses_name),

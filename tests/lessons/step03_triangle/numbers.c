@@ -124,14 +124,15 @@ static struct shown called_mixed(struct vec3 weight, struct color a, struct colo
     return show_color(mix_colors(weight, (struct color[3]){a, b, c}));
 }
 
-/* How many pixels, and the colour of (2,2). */
-static struct shown called_gradient(struct fixed2 a, struct fixed2 b, struct fixed2 c) {
+/* How many pixels, and the colour of one, whose x is not its y. */
+static struct shown called_gradient(struct fixed2 a, struct fixed2 b, struct fixed2 c, int x,
+                                    int y) {
     struct image image = black_image(8, 8);
     const struct color colors[3] = {rgb(255, 0, 0), rgb(0, 255, 0), rgb(0, 0, 255)};
     unsigned long long count = gradient_triangle(&image, (struct fixed2[3]){a, b, c}, colors);
-    struct color color = image_get(&image, 2, 2);
+    struct color color = image_get(&image, x, y);
     image_free(&image);
-    return show("%llu pixels, (2,2) is %s", count, show_color(color).text);
+    return show("%llu pixels, (%d,%d) is %s", count, x, y, show_color(color).text);
 }
 
 #define BOX(a, b, c, right)                                                                        \
@@ -157,9 +158,9 @@ static struct shown called_gradient(struct fixed2 a, struct fixed2 b, struct fix
 #define WEIGHTS(edges, name, x, y, right)                                                          \
     AS_VECTOR("3c.1", "triangle_weights(" name ", " #x ", " #y ")", vec3,                          \
               triangle_weights(&(edges), x, y), right)
-#define GRADIENT(a, b, c, right)                                                                   \
+#define GRADIENT(a, b, c, x, y, right)                                                             \
     TEXT("3c.3", "gradient_triangle(image, " #a " " #b " " #c ", red green blue)",                 \
-         called_gradient(called_on a, called_on b, called_on c), right)
+         called_gradient(called_on a, called_on b, called_on c, x, y), right)
 
 static void numbers(void) {
     TEXT("3a.1", "draw_line(image, (0, 0), (5, 2), white)", called_line_drawn(at(0, 0), at(5, 2)),
@@ -183,6 +184,8 @@ static void numbers(void) {
     EDGE((384, 384), (1408, 384), 1, "origin -262144, dx 0, dy 262144, least 1");
     EDGE((384, 384), (1408, 384), -1, "origin 262144, dx 0, dy -262144, least 0");
     EDGE((384, 384), (384, 1152), -1, "origin -196608, dx 196608, dy 0, least 0");
+    EDGE((500000000, 0), (-500000000, 300000000), 1,
+         "origin 149999833600000000, dx -76800000000, dy -256000000000, least 1");
     SET_UP((384, 384), (1408, 384), (384, 1152), 1,
            "area 786432, clockwise 0, rows 1 to 5, width 40, edges with sign 1");
     SET_UP((384, 384), (384, 1152), (1408, 384), -1,
@@ -200,7 +203,7 @@ static void numbers(void) {
 
     WEIGHTS(called_by_hand, "edges of the example", 2, 2, xyz(5 / 12.0, 3 / 12.0, 4 / 12.0));
     WEIGHTS(called_by_hand, "edges of the example", 1, 1, xyz(1, 0, 0));
-    WEIGHTS(called_turned, "the same given clockwise", 2, 2, xyz(5 / 12.0, 4 / 12.0, 3 / 12.0));
+    WEIGHTS(called_turned, "the same given clockwise", 2, 3, xyz(1 / 12.0, 8 / 12.0, 3 / 12.0));
     TEXT("3c.2", "mix_colors((0.5, 0.25, 0.25), 10,20,30 90,60,30 50,40,90)",
          called_mixed(xyz(0.5, 0.25, 0.25), rgb(10, 20, 30), rgb(90, 60, 30), rgb(50, 40, 90)),
          "40,35,45");
@@ -208,6 +211,6 @@ static void numbers(void) {
          called_mixed(xyz(5 / 12.0, 3 / 12.0, 4 / 12.0), rgb(255, 0, 0), rgb(0, 255, 0),
                       rgb(0, 0, 255)),
          "106,64,85");
-    GRADIENT((384, 384), (1408, 384), (384, 1152), "5 pixels, (2,2) is 106,64,85");
-    GRADIENT((256, 256), (256, 1280), (1280, 256), "6 pixels, (2,2) is 64,96,96");
+    GRADIENT((384, 384), (1408, 384), (384, 1152), 2, 3, "5 pixels, (2,3) is 21,64,170");
+    GRADIENT((256, 256), (256, 1280), (1280, 256), 1, 3, "6 pixels, (1,3) is 64,159,32");
 }
