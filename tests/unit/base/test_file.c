@@ -254,7 +254,7 @@ static bool write_without_input(const char *path) {
     bool done = file_read(path, &bytes, &error) && open(path, O_RDONLY) == STDIN_FILENO;
     close(STDIN_FILENO);
     bytes_free(&bytes);
-    return done && file_write(path, "second", 6, &error) &&
+    return done && file_write(path, "second", 6, &error) && drop_privileges() &&
            file_write("/dev/null", "new", 3, &error); /* a device is opened as it is */
 }
 
