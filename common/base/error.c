@@ -73,8 +73,15 @@ bool text_error(struct error *error, size_t line, const char *format, ...) {
     return false;
 }
 
+static const char out_of_memory[] = "out of memory";
+
 bool error_out_of_memory(struct error *error) {
-    return error_set(error, "out of memory");
+    return error_set(error, "%s", out_of_memory);
+}
+
+bool error_is_out_of_memory(const struct error *error) {
+    size_t length = strlen(error->message), end = sizeof out_of_memory - 1;
+    return length >= end && strcmp(error->message + length - end, out_of_memory) == 0;
 }
 
 bool error_name_file(struct error *error, const char *path) {

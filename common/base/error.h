@@ -36,6 +36,9 @@ bool text_error(struct error *error, size_t line, const char *format, ...) PRINT
 /* The message of every allocation that failed. Always returns false. */
 bool error_out_of_memory(struct error *error);
 
+/* Is it that message, perhaps behind the name of a file? */
+bool error_is_out_of_memory(const struct error *error);
+
 /* Put "PATH: " before the message, "PATH:LINE: " where there is a line. Always returns false. */
 bool error_name_file(struct error *error, const char *path);
 

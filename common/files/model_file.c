@@ -110,9 +110,10 @@ static bool read_library(struct model *model, struct word name, bool *found, str
         string_format("%.*s", end == NULL ? 0 : (int)(end + 1 - model->path), model->path);
     char *path = directory == NULL ? NULL : mtl_path(name, directory);
     struct bytes bytes = {0};
-    struct error ignored;
-    bool done = directory != NULL && (path != NULL || name.length == 0);
-    *found = path != NULL && file_exists(path) && file_read(path, &bytes, &ignored);
+    struct error reason = {.message = ""}; /* of a file that cannot be read: it counts as missing */
+    *found = path != NULL && file_exists(path) && file_read(path, &bytes, &reason);
+    bool done =
+        directory != NULL && (path != NULL || name.length == 0) && !error_is_out_of_memory(&reason);
     if (*found) {
         free(directory);
         end = strrchr(path, '/');

@@ -199,6 +199,8 @@ static bool make_models(void) {
 }
 
 static bool make_inputs(void) {
+    static const char materials_obj[] =
+        "mtllib x m.mtl\nusemtl m\nv 0 0 0\nvt 0 0\nf 1/1 1/1 1/1\n";
     static const uint_least16_t wide[] =
         u"\uFEFFOFF 3 1\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"; /* UTF-16 */
     struct error error;
@@ -210,6 +212,8 @@ static bool make_inputs(void) {
            file_write(name_file(&place, "scene.txt"), inputs.long_scene.data,
                       inputs.long_scene.size, &error) &&
            put_text(name_file(&place, "cube.obj"), cube_obj) &&
+           put_text(name_file(&place, "m.obj"), materials_obj) &&
+           put_text(name_file(&place, "m.mtl"), "newmtl m\nmap_Kd maps/m.obj\nbump x/m.mtl\n") &&
            file_write(name_file(&place, "cube.off"), wide, sizeof wide - sizeof wide[0], &error) &&
            tga_write(&inputs.color, name_file(&place, "cube_diffuse.tga"), &error) &&
            png_write(&inputs.color, name_file(&place, "cube_nm.png"), &error);
@@ -227,7 +231,7 @@ static void free_inputs(void) {
     bytes_free(&inputs.two_ways);
     model_free(&inputs.cube);
     model_free(&inputs.many);
-    place_remove(&place, "scene.txt,cube.obj,cube.off,cube_diffuse.tga,cube_nm.png");
+    place_remove(&place, "scene.txt,cube.obj,cube.off,cube_diffuse.tga,cube_nm.png,m.obj,m.mtl");
 }
 
 /* ---- Files ---- */
@@ -324,6 +328,19 @@ static bool create_texture(struct error *error) {
     bool done = texture_create(&texture, &inputs.color, error);
     CHECK((texture.level_count > 0) == done);
     texture_free(&texture);
+    return done;
+}
+
+/* The files of the maps are next to the model, and not where its materials say. */
+static bool read_materials(struct error *error) {
+    struct model model;
+    bool done = model_read(&model, name_file(&place, "m.obj"), error);
+    if (done) {
+        CHECK_TEXT(model.materials[0].texture, place.path);
+        CHECK_TEXT(model.materials[0].bumps, name_file(&place, "m.mtl"));
+    }
+    CHECK(done || model.materials == NULL);
+    model_free(&model);
     return done;
 }
 
@@ -561,6 +578,7 @@ static void test_each_allocation(void) {
         {"model_decode", decode_models, 0},
         {"model_need_normals", give_normals_and_colors, 0},
         {"texture_create", create_texture, 0},
+        {"model_read with materials", read_materials, 0},
         {"model_texture", read_textures, 0},
         {"pipeline_draw of many faces", draw_many, 0},
         {"pipeline_draw", draw_both_ways, 0},
