@@ -79,10 +79,12 @@ static void test_statements(void) {
         {"newmtl a\nKd 0.25 0.5 1\nKdx 0 0 0\n", "0.25 0.5 1 none none", PLAIN},
         {"newmtl b\nKd 1 1 1\nnewmtl a \n\tKd 0.5\n", "0.5 0.5 0.5 none none", PLAIN},
         {"newmtl a\nKd 2 -1 nan\n", "1 0 0 none none", PLAIN},
+        {"newmtl a\nKd 1.5 nan -0\n", "1 0 0 none none", PLAIN},
         {"newmtl a\nKd 0 0 0\nnewmtl a\nKd 0 1 0\n", "0 1 0 none none", PLAIN},
         {"newmtl a\nKd 255 102 0\nKd spectral x.rfl\nKd\n", "1 0.4 0 none none", PLAIN},
         /* Of ambient light, unless it is what programs write with every material. */
-        {"newmtl a\nKa 1 0.5 0\n", "1 1 1 none none Ka 1 0.5 0", PLAIN},
+        {"newmtl a\nKa 0 1 0\n", "1 1 1 none none Ka 0 1 0", PLAIN},
+        {"newmtl a\nKa 1 0 0\n", "1 1 1 none none Ka 1 0 0", PLAIN},
         {"newmtl a\nka 0.5\nKd 0 1 0\n", "0 1 0 none none Ka 0.5 0.5 0.5", PLAIN},
         {"newmtl a\nKa 0.2 0.2 0.25\n", "1 1 1 none none Ka 0.2 0.2 0.25", PLAIN},
         {"newmtl a\nKa 1 0 0\nKa 0 0 0\n", "1 1 1 none none", PLAIN},
@@ -97,34 +99,36 @@ static void test_statements(void) {
         {"newmtl a\nmap_Kd \"old oak.png\"\n", "1 1 1 d/old oak.png none", PLAIN},
         {"newmtl a\nmap_Kd oak.png  # of the table\n", "1 1 1 d/oak.png none", PLAIN},
         {"newmtl a\nmap_Kd old - oak.png -clamp on # x\n", "1 1 1 d/old - oak.png none", PLAIN},
+        {"newmtl a\nmap_Kd oak.png -c\nbump a -", "1 1 1 d/oak.png d/a -", PLAIN},
         {"newmtl a\nmap_Kd # none\nbump \"\"\n", "1 1 1 none d/", PLAIN},
         {"newmtl a\nmap_Kd C:\\maps\\oak.png\n", "1 1 1 d/C:/maps/oak.png none", PLAIN},
         {"newmtl a\nmap_Kd -mm 0 1 -bm 0.5 -t 1 2 2.png\n", "1 1 1 d/2.png none", PLAIN},
-        {"newmtl a\nmap_Kd x.png\nmap_Kd y.png\n", "1 1 1 d/y.png none", PLAIN},
-        {"newmtl a\nmap_Kd\n", "1 1 1 none none", PLAIN},
+        {"newmtl a\nmap_Kd x.png\nmap_Kd - y.texture\n", "1 1 1 d/- y.texture none", PLAIN},
+        {"newmtl a\nmap_Kd \"\nbump\n", "1 1 1 d/\" none", PLAIN},
         {"newmtl a\nmap_Kd -clamp\n", "1 1 1 none none", PLAIN},
         {"newmtl a\nmap_bumps x.png\nmap_Kd_ x.png\n", "1 1 1 none none", PLAIN},
-        {"newmtl a\nKs 0.25 0.5 0.75\nNs 30\n", "1 1 1 none none", "0.5 30 - none - 1 1 0 0 1"},
-        {"newmtl a\nKs 0\nNs -1\nd 0.5\n", "1 1 1 none none", "0 0 g none - 1 1 0 0 1"},
-        {"newmtl a\nNs 2e4\nNs x\nd 0.0\nTr 0\n", "1 1 1 none none", "-1 0 d none - 1 1 0 0 1"},
-        {"newmtl a\nd 0\nd 1\nTr 1\n", "1 1 1 none none", PLAIN},
+        {"newmtl a\nKs 0.25 0.5 0.75\nNs 9\n", "1 1 1 none none", "0.5 9 - none - 1 1 0 0 1"},
+        {"newmtl a\nKs x\nNs 0.5\nNs -1\nd 0.5\n", "1 1 1 none none", "0 0.5 g none - 1 1 0 0 1"},
+        {"newmtl a\nNs 9\nNs 0\nNs 10000.5\nNs x\nd 0.0\nTr 0\n", "1 1 1 none none",
+         "-1 0 d none - 1 1 0 0 1"},
+        {"newmtl a\nNs 1e4\nd 0\nd 1\nTr 0\n", "1 1 1 none none", "-1 10000 - none - 1 1 0 0 1"},
         {"newmtl a\nTr 0.1\n", "1 1 1 none none", "-1 0 g none - 1 1 0 0 1"},
         {"newmtl a\nd 0.5\nd 0\n", "1 1 1 none none", "-1 0 d none - 1 1 0 0 1"},
         {"newmtl a\nmap_d leaf.png\n", "1 1 1 none none", "-1 0 g none - 1 1 0 0 1"},
         {"NEWMTL a\nKD 0 1 0\nmap_kd wood.png\n", "0 1 0 d/wood.png none", PLAIN},
         {"newmtl a\nmap_Ks -clamp on s.png\n", "1 1 1 none none", "-1 0 - d/s.png - 1 1 0 0 1"},
         {"newmtl a\nmap_Ks s.png\nmap_Ns t.png\n", "1 1 1 none none", "-1 0 - d/t.png - 1 1 0 0 1"},
-        {"newmtl a\nmap_Kd -clamp on -s 2 3 4 -o 0.5 x.png\n", "1 1 1 d/x.png none",
+        {"newmtl a\nmap_Kd -clamp on -o 0.5 -s 2 3 4 x.png\n", "1 1 1 d/x.png none",
          "-1 0 - none c 2 3 0.5 0 1"},
-        {"newmtl a\nmap_Kd -clamp off -o -1 2 -t 7 7 7 -s 9e9 x.png\n", "1 1 1 d/x.png none",
-         "-1 0 - none - 1 1 -1 2 1"},
+        {"newmtl a\nmap_Kd -clamp off -o -1e6 1e6 -s 1000001 -1000001 -t 7 7 7 8\n",
+         "1 1 1 d/8 none", "-1 0 - none - 1 1 -1e+06 1e+06 1"},
         /* norm says more than the names of bumps, and may come before or after them. */
         {"newmtl a\nnorm n.png\n", "1 1 1 none d/n.png norm", PLAIN},
         {"newmtl a\nmap_Bump -bm 0.5 b.png\n", "1 1 1 none d/b.png", "-1 0 - none - 1 1 0 0 0.5"},
         {"newmtl a\nmap_bump -bm 100.5 b.png\n", "1 1 1 none d/b.png", PLAIN},
-        {"newmtl a\nmap_bump -bm -2 b c.png\n", "1 1 1 none d/b c.png", PLAIN},
-        {"newmtl a\nbump -imfchan l -clamp on -bm 4 b.png\n", "1 1 1 none d/b.png",
-         "-1 0 - none - 1 1 0 0 4"},
+        {"newmtl a\nmap_bump -bm 0 b c.png\n", "1 1 1 none d/b c.png", PLAIN},
+        {"newmtl a\nbump -imfchan l -clamp on -bm 100 b.png\n", "1 1 1 none d/b.png",
+         "-1 0 - none - 1 1 0 0 100"},
         {"newmtl a\nbump a.png\nnorm -bm 3 n.png\nmap_Bump b.png\n", "1 1 1 none d/n.png norm",
          "-1 0 - none - 1 1 0 0 3"},
         {"newmtl a\nbump -bm 2 a.png\nmap_Bump b.png\n", "1 1 1 none d/b.png", PLAIN},
@@ -184,24 +188,26 @@ static void test_files(void) {
     CHECK(put_text(path,
                    "mtllib no.mtl m.MTL\nmtllib two names.mtl\n" TEXTURED
                    "usemtl red\nf 1/1 2/1 3/1\nusemtl blue\nf 1 2 4\nusemtl none\nf 1 2 3\n"));
-    CHECK(put_text(name_file(&place, "m.mtl"), "newmtl blue\nKd 0 0 0.6\n"));
-    CHECK(put_text(name_file(&place, "two names.mtl"), "newmtl red\nmap_Kd C:\\maps\\red.PNG\n"));
-    put_picture(&place, "red.png", color_rgb(200, 10, 20));
+    CHECK(put_text(name_file(&place, "m.mtl"), "newmtl blue\nKd 0 0 0.6\nd 0.5\n"));
+    CHECK(
+        put_text(name_file(&place, "two names.mtl"), "newmtl red\nmap_Kd C:\\maps\\red -b.PNG\n"));
+    put_picture(&place, "red -b.png", color_rgb(200, 10, 20));
     put_picture(&place, "m_diffuse.png", color_rgb(1, 2, 3));
     if (CHECK_ROW(model_read(&m, path, &error), error.message)) {
         CHECK(m.material_count == 3 && m.warning_line[MODEL_MATERIALS_MISSING] == 0);
-        CHECK(m.materials[1].color[2] == 0.6F);
-        CHECK(model_has_materials(&m) && strstr(m.materials[0].texture, "/red.png") != NULL);
+        CHECK(m.materials[1].color[2] == 0.6F && m.warning_line[MODEL_GLASSY] == 10);
+        CHECK(model_has_materials(&m));
+        CHECK_TEXT(m.materials[0].texture, name_file(&place, "red -b.png"));
     }
     model_free(&m);
     /* A texture; colours alone, which a texture next to the model outdoes; a file
      * that is not there. */
-    strcpy(red, name_file(&place, "red.png"));
-    CHECK(rename(red, name_file(&place, "red.PNG")) == 0);
-    CHECK(put_text(name_file(&place, "two names.mtl"), "newmtl red\nmap_Kd red.Png\n"));
+    strcpy(red, name_file(&place, "red -b.png"));
+    CHECK(rename(red, name_file(&place, "red.JP2")) == 0);
+    CHECK(put_text(name_file(&place, "two names.mtl"), "newmtl red\nmap_Kd red.Jp2\n"));
     CHECK(put_text(path, "mtllib two names.mtl\n" TEXTURED "usemtl red\nf 1 2 3\n"));
     CHECK(model_read(&m, path, &error) && model_has_materials(&m));
-    CHECK(strstr(m.materials[0].texture, "/red.PNG") != NULL);
+    CHECK(strstr(m.materials[0].texture, "/red.JP2") != NULL);
     model_free(&m);
     CHECK(put_text(path, "mtllib m.mtl\n" TEXTURED "usemtl blue\nf 1 2 3\n"));
     CHECK(model_read(&m, path, &error) && !model_has_materials(&m));
@@ -216,7 +222,7 @@ static void test_files(void) {
     CHECK(put_text(path, "mtllib no.mtl\n" TEXTURED "f 1 2 3\n")); /* no face needs it */
     CHECK(model_read(&m, path, &error) && m.warning_line[MODEL_MATERIALS_MISSING] == 0);
     model_free(&m);
-    place_remove(&place, "m.obj,m.mtl,two names.mtl,red.PNG,m_diffuse.png");
+    place_remove(&place, "m.obj,m.mtl,two names.mtl,red.JP2,m_diffuse.png");
 }
 
 /* Write ASCII as Windows writes "Unicode". */
