@@ -81,7 +81,7 @@ static void test_statements(void) {
         {"newmtl a\nKd 2 -1 nan\n", "1 0 0 none none", PLAIN},
         {"newmtl a\nKd 1.5 nan -0\n", "1 0 0 none none", PLAIN},
         {"newmtl a\nKd 0 0 0\nnewmtl a\nKd 0 1 0\n", "0 1 0 none none", PLAIN},
-        {"newmtl a\nKd 255 102 0\nKd spectral x.rfl\nKd\n", "1 0.4 0 none none", PLAIN},
+        {"newmtl a\nKd 2.55 0 1.02\nKd spectral x.rfl\nKd\n", "0.01 0 0.004 none none", PLAIN},
         /* Of ambient light, unless it is what programs write with every material. */
         {"newmtl a\nKa 0 1 0\n", "1 1 1 none none Ka 0 1 0", PLAIN},
         {"newmtl a\nKa 1 0 0\n", "1 1 1 none none Ka 1 0 0", PLAIN},
