@@ -93,11 +93,7 @@ bool model_decode(struct model *model, const void *data, size_t size, struct err
 
 static bool keep_path(struct model *model, const char *path, struct error *error) {
     model->path = string_format("%s", path);
-    if (model->path == NULL) {
-        model_free(model);
-        return error_out_of_memory(error);
-    }
-    return true;
+    return model->path != NULL || error_out_of_memory(error);
 }
 
 /* ---- Materials ---- */

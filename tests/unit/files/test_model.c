@@ -371,7 +371,7 @@ static void test_messages(void) {
     } rows[] = {
         {"", "is empty"},
         {SQUARE, "holds no faces"},
-        {"just some words\nand more of them", "holds no faces"},
+        {"just some words\n1 2 3", "holds no faces"},
         {SQUARE "\nf 1 2 0\n", "6: face names vertex 0: the first is 1"},
         {SQUARE "f 1 2 5\n", "5: face names vertex 5 of 4"},
         {SQUARE "f 1 2 4294967296\n", "5: face names vertex 4294967296 of 4"},
@@ -452,7 +452,7 @@ static void test_messages(void) {
          "4: the file goes on after 1 faces, none with 3 corners"},
         {"OFF\n1 1 0\n0\n0 0 1 0 0\n3 0 0 0\n", /* no line of its own */
          "5: the file goes on after 1 faces, none with 3 corners"},
-        {"1.5 2 3\n", "begins with a number, as neither OBJ nor OFF does"},
+        {"\n1.5 2 3\n", "begins with a number, as neither OBJ nor OFF does"},
         {"version https://git-lfs.github.com/spec/v1\noid sha256:3c\nsize 39043\n",
          "a Git LFS pointer, not an OBJ or OFF file: `git lfs pull` fetches the file itself"},
         {"ply\nformat ascii 1.0\n", "a PLY file, not an OBJ or OFF file" EXPORT},
@@ -556,7 +556,7 @@ static void test_refused_files(void) {
         {"a.obj", SQUARE "f 1 2 99\n", ":5: face names vertex 99 of 4"},
         {"a.obj", "", ": is empty"},
         {"a.off", "OFFF\n1 1 0\n0 0 0\n3 0 0 0\n", ": does not begin with the word OFF"},
-        {"a.off", "hello\n", ": does not begin with the word OFF"},
+        {"a.OFF", "hello\n", ": does not begin with the word OFF"},
         {"a.off", "", ": does not begin with the word OFF"},
         {"a.off", "1 1 0\n", ":1: 1 vertices and 1 faces are more than the file can hold"},
         {"a.off", "1.5 1 0\n", ": begins with a number, as neither OBJ nor OFF does"},
@@ -576,11 +576,11 @@ static void test_refused_files(void) {
     CHECK(strstr(error.message, ": is a directory") != NULL);
     CHECK(!model_read(&m, name_file(&place, "none.obj"), &error));
     CHECK(strstr(error.message, "none.obj: ") != NULL);
-    CHECK(put_text(name_file(&place, "a.off"), SQUARE "f 1 2 3\n"));
+    CHECK(put_text(name_file(&place, "%%.off"), SQUARE "f 1 2 3\n"));
     CHECK(model_read(&m, place.path, &error) && m.path != place.path);
     CHECK_TEXT(m.path, place.path);
     model_free(&m);
-    place_remove(&place, "a.obj,a.off");
+    place_remove(&place, "a.obj,a.OFF,a.off,%%.off");
 }
 
 /* Found next to the model, read once and only when asked for. */
@@ -616,7 +616,7 @@ static void test_texture_names(void) {
         {"no_such_model.obj", "no_such_model_spec.tga", MODEL_SPECULAR},
         {"no_such.model.off", "no_such.model_nm.tga", MODEL_NORMAL_MAP},
         {"no_such_model", "no_such_model_diffuse.tga", MODEL_DIFFUSE},
-        {"no.such/model", "no.such/model_spec.tga", MODEL_SPECULAR},
+        {"no.such/.model", "no.such/.model_spec.tga", MODEL_SPECULAR},
         {".no_such_model", ".no_such_model_spec.tga", MODEL_SPECULAR},
     };
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
@@ -642,7 +642,7 @@ static void test_other_names(void) {
         {"a_diffuse.TGA", MODEL_DIFFUSE},       {"a_normal_tangent.png", MODEL_NORMAL_MAP},
         {"a_nm_tangent.tga", MODEL_NORMAL_MAP}, {"a_normal.png", MODEL_NORMAL_MAP},
         {"a_nm.PNG", MODEL_NORMAL_MAP},         {"a_specular.TGA", MODEL_SPECULAR},
-        {"a_spec.png", MODEL_SPECULAR},         {"given", MODEL_SPECULAR},
+        {"a_spec.png", MODEL_SPECULAR},         {"100%%", MODEL_SPECULAR},
     };
     enum { COUNT = sizeof rows / sizeof rows[0] };
     struct place place = place_create();
@@ -654,7 +654,7 @@ static void test_other_names(void) {
         struct error error = {0};
         put_picture(&place, rows[i].name, color_rgb(160, 100, (uint8_t)(i + 1)));
         CHECK(model_read(&m, model_path, &error));
-        m.texture_files[rows[i].kind] = strcmp(rows[i].name, "given") == 0 ? place.path : NULL;
+        m.texture_files[rows[i].kind] = strcmp(rows[i].name, "100%%") == 0 ? place.path : NULL;
         const struct texture *texture = model_texture(&m, rows[i].kind, &error);
         if (CHECK_ROW(texture != NULL, rows[i].name)) {
             CHECK_ROW((texture->level[0].texels[0] & 0xFF) == i + 1, rows[i].name);
@@ -687,8 +687,57 @@ static void test_other_names(void) {
     place_remove(&place, "a.obj");
 }
 
+/* What a picture is taken for: normals of an object, in tangent space, grey, or none, about the means
+ * that are the limits. Every second pixel has the other colour; grey and black are background, and
+ * of many pixels only every second one is looked at. */
+static void test_looks_of_normals(void) {
+    static const struct {
+        int width, height;
+        uint32_t one, other;
+        char look;
+    } rows[] = {
+        {1, 1, 0x808080, 0, 'g'},         {2, 1, 0x808080, 0x8278FA, 't'},
+        {1, 2, 0x8278FA, 0, 't'},         {1, 1, 0x8080EC, 0, 't'},
+        {2, 1, 0x8080EA, 0x8080EA, 'n'},  {1, 1, 0xFF80C7, 0, 'o'},
+        {1, 1, 0xFF80CB, 0, 'n'},         {2, 1, 0xD980DA, 0x2680DA, 't'},
+        {2, 1, 0xD980D8, 0x2680D8, 'o'},  {1, 1, 0xA4A4F9, 0, 't'},
+        {1, 1, 0x5880F9, 0, 'o'},         {1, 1, 0x80A7F9, 0, 'o'},
+        {31, 1, 0x8278FA, 0xC81464, 'o'}, {32, 1, 0x8278FA, 0xC81464, 't'},
+        {1, 31, 0x8278FA, 0xC81464, 'o'}, {1, 32, 0x8278FA, 0xC81464, 't'},
+    };
+    static const int turns[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}; /* a quarter about x, y, z */
+    struct place place = place_create();
+    struct error error = {0};
+    CHECK(directory_create(name_file(&place, "_tangent."), &error)); /* only a file's name counts */
+    const char *path = name_file(&place, "_tangent./n.png");
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        struct texture texture = {0};
+        struct image image = new_image((size_t)rows[i].width, (size_t)rows[i].height, IMAGE_BGR);
+        for (int k = 0; k < rows[i].width * rows[i].height; k++) {
+            uint32_t c = k % 2 == 0 ? rows[i].one : rows[i].other;
+            image_set(&image, k % rows[i].width, k / rows[i].width,
+                      color_rgb((uint8_t)(c >> 16), (uint8_t)(c >> 8), (uint8_t)c));
+        }
+        CHECK(png_write(&image, path, &error));
+        bool done = model_read_normal_map(&texture, path, turns[i % 3], &error);
+        char look = done ? "ot"[texture.tangent_space] : strstr(error.message, "grey") ? 'g' : 'n';
+        CHECK_ROW(look == rows[i].look, error.message);
+        size_t last = rows[i].width > 1;
+        const uint32_t c = last ? rows[i].other : rows[i].one, r = c >> 16, g = c >> 8 & 255,
+                       b = c & 255;
+        const uint32_t turned[] = {r << 16 | (255 - b) << 8 | g, b << 16 | g << 8 | (255 - r),
+                                   (255 - g) << 16 | r << 8 | b};
+        CHECK(!done ||
+              (texture.level[0].texels[last] & 0xFFFFFF) == (look == 'o' ? turned[i % 3] : c));
+        texture_free(&texture);
+        image_free(&image);
+    }
+    CHECK(unlink(path) == 0 && rmdir(name_file(&place, "_tangent.")) == 0);
+    place_remove(&place, NULL);
+}
+
 UNIT_MAIN(TEST(test_obj), TEST(test_unwanted), TEST(test_obj_numbers), TEST(test_off),
           TEST(test_off_smallest), TEST(test_colors), TEST(test_face_colors),
           TEST(test_face_color_values), TEST(test_messages), TEST(test_binary_messages),
           TEST(test_lines), TEST(test_long_line), TEST(test_refused_files), TEST(test_textures),
-          TEST(test_texture_names), TEST(test_other_names))
+          TEST(test_texture_names), TEST(test_other_names), TEST(test_looks_of_normals))
