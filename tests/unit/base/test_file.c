@@ -94,6 +94,10 @@ static void test_names_of_files(void) {
         CHECK(!rows[i].name(&error, rows[i].path) && error.line == 0);
         CHECK_TEXT(error.message, rows[i].message);
     }
+    struct error error;
+    CHECK(!error_out_of_memory(&error) && error_is_out_of_memory(&error));
+    CHECK(!error_name_file(&error, "a") && error_is_out_of_memory(&error));
+    CHECK(!error_set(&error, "memory") && !error_is_out_of_memory(&error));
 }
 
 /* Of a long message the beginning is kept, of a long name the end. */
