@@ -335,11 +335,7 @@ static bool create_texture(struct error *error) {
 static bool read_materials(struct error *error) {
     struct model model;
     bool done = model_read(&model, name_file(&place, "m.obj"), error);
-    if (done) {
-        CHECK_TEXT(model.materials[0].texture, place.path);
-        CHECK_TEXT(model.materials[0].bumps, name_file(&place, "m.mtl"));
-    }
-    CHECK(done || model.materials == NULL);
+    CHECK(done ? model.materials[0].bumps != NULL : model.materials == NULL);
     model_free(&model);
     return done;
 }

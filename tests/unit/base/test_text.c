@@ -51,7 +51,7 @@ static void test_lines(void) {
         {"vertical tab and form feed are blanks", "a\vb\fc", 0, true, "1:a|b|c"},
         {"empty lines count", "\n\na\n\n", 0, true, "1: 2: 3:a 4:"},
         {"CRLF", "a\r\nb\r\n", 0, true, "1:a 2:b"},
-        {"CR only", "a\rb\r\rc", 0, true, "1:a 2:b 3: 4:c"},
+        {"CR only", "a\rb\r\rc\r", 0, true, "1:a 2:b 3: 4:c"},
         {"mixed line ends", "a\n\rb\r\n\nc", 0, true, "1:a 2: 3:b 4: 5:c"},
         {"comment", "a # b c\nd #\n#e\nf#g", 0, true, "1:a 2:d 3: 4:f#g"},
         {"byte-order mark", "\xEF\xBB\xBFv 1\n", 0, true, "1:v|1"},
@@ -70,7 +70,9 @@ static void test_lines(void) {
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
         char got[256];
         size_t size = rows[i].size > 0 ? rows[i].size : strlen(rows[i].text);
-        take_apart(rows[i].text, size, rows[i].continuation, got, sizeof got);
+        char *copy = exact_copy(rows[i].text, size);
+        take_apart(copy, size, rows[i].continuation, got, sizeof got);
+        free(copy);
         CHECK_ROW(CHECK_TEXT(got, rows[i].expected), rows[i].name);
     }
 }
@@ -120,14 +122,15 @@ static void test_words(void) {
     CHECK(!word_is(word_of("v"), "vt"));
     CHECK(!word_is(word_of("vt"), "v"));
     CHECK(word_is(word_of(""), ""));
-    CHECK_TEXT(word_show(word_of("short")).text, "short");
+    CHECK(word_begins(word_of("aZ"), "Az") && !word_begins((struct word){"abc", 2}, "abc"));
+    CHECK_TEXT(word_show(word_of("")).text, "");
     CHECK_TEXT(word_show(word_of("012345678901234567890123456789012345678")).text,
                "012345678901234567890123456789012345678");
     CHECK_TEXT(word_show(word_of("exactly thirty-nine characters long ....")).text,
                "exactly thirty-nine characters long ...");
     CHECK_TEXT(word_show(word_of("0123456789012345678901234567890123456789")).text,
                "012345678901234567890123456789012345...");
-    CHECK_TEXT(word_show(word_of("01234567890123456789012345678901234\xE2\x82\xAC 56789")).text,
+    CHECK_TEXT(word_show(word_of("01234567890123456789012345678901234\xE2\x83\xAC 56789")).text,
                "01234567890123456789012345678901234...");
     char strange[51] = ""; /* later bytes of UTF-8 characters without a first one */
     memset(strange, 0x80, 50);
@@ -311,9 +314,11 @@ static void test_utf16(void) {
         {{0x7F, 0x80, 0x7FF, 0x800}, "\x7F\xC2\x80\xDF\xBF\xE0\xA0\x80"},
         {{0xE000, 0xFFFD, 0xD83D, 0xDE00}, "\xEE\x80\x80\xEF\xBF\xBD\xED\xA0\xBD\xED\xB8\x80"},
     };
-    CHECK(!text_is_utf16("v 1", 4) && !text_is_utf16("\0v\0", 3) && !text_is_utf16("\0v\0\0", 4));
+    CHECK(!text_is_utf16("v 1", 4) && !text_is_utf16("\0v\0v", 3) && !text_is_utf16("\0v\0\0", 4));
     CHECK(!text_is_utf16("v\0\0\0", 4) && !text_is_utf16("\0\0\0\0", 4));
-    CHECK(!text_is_utf16("\xFF", 1) && !text_is_utf16("\xFF\xFF", 2) && !text_is_utf16(NULL, 0));
+    CHECK(!text_is_utf16("\xFF\xFE", 1) && text_is_utf16("\xFF\xFE", 2) && !text_is_utf16(NULL, 0));
+    CHECK(!text_is_utf16("\xFF\xFF", 2) && !text_is_utf16("\xFE\xFE", 2));
+    CHECK(text_is_utf16("\0\1\0\1", 4) && text_is_utf16("\1\0\1\0", 4));
     for (size_t i = 0; i < sizeof rows / sizeof rows[0] * 4; i++) {
         const unsigned high = i & 1, odd = i >> 1 & 1; /* the first byte is the larger part */
         struct bytes utf8 = {0}, utf16 = {0};
@@ -339,6 +344,11 @@ static void test_utf16(void) {
         bytes_free(&utf8);
         bytes_free(&utf16);
     }
+    struct bytes daggers = {0}; /* of three bytes each, and just as much room */
+    char blanks[200];
+    memset(blanks, ' ', sizeof blanks);
+    CHECK(text_from_utf16(&daggers, blanks, 200) && daggers.size == 300 && daggers.capacity == 300);
+    bytes_free(&daggers);
 }
 
 UNIT_MAIN(TEST(test_rest_of_line), TEST(test_utf16), TEST(test_lines), TEST(test_skipped_lines),

@@ -604,6 +604,7 @@ static void test_textures(void) {
     CHECK(m.textures[MODEL_DIFFUSE].level_count == 0);
     place_remove(&place, "a.b.off");
     CHECK(decode_right(&m, SQUARE "f 1 2 3") && model_texture(&m, MODEL_DIFFUSE, &error) == NULL);
+    CHECK_ERROR(error, "a model that was not read from a file has no textures");
     model_free(&m);
 }
 

@@ -205,9 +205,10 @@ static void test_files(void) {
     strcpy(red, name_file(&place, "red -b.png"));
     CHECK(rename(red, name_file(&place, "red.JP2")) == 0);
     CHECK(put_text(name_file(&place, "two names.mtl"), "newmtl red\nmap_Kd red.Jp2\n"));
-    CHECK(put_text(path, "mtllib two names.mtl\n" TEXTURED "usemtl red\nf 1 2 3\n"));
+    CHECK(put_text(path,
+                   "mtllib two names.mtl\n" TEXTURED "usemtl no\nf 1 2 3\nusemtl red\nf 1 2 3\n"));
     CHECK(model_read(&m, path, &error) && model_has_materials(&m));
-    CHECK(strstr(m.materials[0].texture, "/red.JP2") != NULL);
+    CHECK(strstr(m.materials[1].texture, "/red.JP2") != NULL);
     model_free(&m);
     CHECK(put_text(path, "mtllib m.mtl\n" TEXTURED "usemtl blue\nf 1 2 3\n"));
     CHECK(model_read(&m, path, &error) && !model_has_materials(&m));
