@@ -46,10 +46,10 @@ static void test_lines(void) {
         const char *expected;
     } rows[] = {
         {"empty", "", 0, true, ""},
-        {"one word, no final newline", "abc", 0, true, "1:abc"},
+        {"one word, no final newline", "a", 0, true, "1:a"},
         {"words", "  a\tb  c \n", 0, true, "1:a|b|c"},
         {"vertical tab and form feed are blanks", "a\vb\fc", 0, true, "1:a|b|c"},
-        {"empty lines count", "\n\na\n\n", 0, true, "1: 2: 3:a 4:"},
+        {"empty lines count", "\r\n\na\n\n", 0, true, "1: 2: 3:a 4:"},
         {"CRLF", "a\r\nb\r\n", 0, true, "1:a 2:b"},
         {"CR only", "a\rb\r\rc\r", 0, true, "1:a 2:b 3: 4:c"},
         {"mixed line ends", "a\n\rb\r\n\nc", 0, true, "1:a 2: 3:b 4: 5:c"},
@@ -63,9 +63,9 @@ static void test_lines(void) {
         {"backslash inside", "a\\b \\ c", 0, true, "1:a\\b|\\|c"},
         {"not continued", "a\\\nb", 0, false, "1:a\\ 2:b"},
         {"comment is not continued", "# c:\\\na", 0, true, "1: 2:a"},
-        {"zero byte", "a\nb\r\nc\rd\0e\n", 10, true,
-         "error 4: not a text file: it holds a zero byte"},
-        {"bytes above 127", "\xC3\xA9 \xFF\n", 0, true, "1:\xC3\xA9|\xFF"},
+        {"zero byte", "a\nb\r\nc\rd\re\0f", 12, true,
+         "error 5: not a text file: it holds a zero byte"},
+        {"bytes above 127", "\xEF\xBB\xBE \xFF\n", 0, true, "1:\xEF\xBB\xBE|\xFF"},
     };
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
         char got[256];
@@ -90,6 +90,7 @@ static void test_skipped_lines(void) {
     CHECK(word_is(text_next_word(&text), "v"));
     CHECK(!text_next_line(&text));
     CHECK(!text_next_line(&text));
+    CHECK(!text_begin(&text, "", 1, true, &error));
     CHECK(text_begin(&text, NULL, 0, true, &error) && !text_next_line(&text));
     CHECK(text_next_word(&text).length == 0);
 }

@@ -460,7 +460,8 @@ static void test_messages(void) {
         {"solid cube\n facet normal 0 0 1\n", "an STL file, not an OBJ or OFF file" EXPORT},
         {"glTF\2", "a glTF file, not an OBJ or OFF file" EXPORT},
         {"{\"asset\": {}}", "JSON, perhaps a glTF file, not an OBJ or OFF file" EXPORT},
-        {"<!DOCTYPE HTML><html>", "an HTML page, not an OBJ or OFF file: download the file itself"},
+        {"\xEF\xBB\xBF \n<!DOCTYPE HTML><html>",
+         "an HTML page, not an OBJ or OFF file: download the file itself"},
         {"solid\n" SQUARE "f 1 2 9\n", "an STL file, not an OBJ or OFF file" EXPORT},
     };
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
