@@ -689,9 +689,9 @@ static void test_other_names(void) {
     place_remove(&place, "a.obj");
 }
 
-/* What a picture is taken for: normals of an object, in tangent space, grey, or none, about the means
- * that are the limits. Every second pixel has the other colour; grey and black are background, and
- * of many pixels only every second one is looked at. */
+/* What a picture is taken for: normals of an object, in tangent space, grey, or none, about the
+ * means that are the limits. Every second pixel has the other colour; grey and black are
+ * background, and of many pixels only every second one is looked at. */
 static void test_looks_of_normals(void) {
     static const struct {
         int width, height;
