@@ -258,7 +258,7 @@ bool file_exists(const char *path) {
 
 uint64_t file_size(const char *path) {
     struct stat status;
-    return stat(path, &status) == 0 && status.st_size > 0 ? (uint64_t)status.st_size : 0;
+    return stat(path, &status) == 0 ? (uint64_t)status.st_size : 0;
 }
 
 /* Why no directory is there: a link may lead to nothing, or to itself. 0 where one is. */
