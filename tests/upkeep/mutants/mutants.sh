@@ -5,9 +5,9 @@
 #   mutants.sh BUILD COUNT SEED [FILE...]     in the course's directory, which stays as it is
 #
 # FILE: a source to be changed; without one all of common and every lesson's main.c. A change counts
-# when it compiles without a warning, gives another object, and isn't explained in equivalent.txt here. It
-# is killed when a unit test, `make check` or `make stress` fails or takes too long; what survives
-# meets the unit tests once more, under sanitizers.
+# when it compiles without a warning, gives another object, and isn't explained in equivalent.txt
+# here. It is killed when a unit test, `make check` or `make stress` fails or takes too long; what
+# survives meets the unit tests once more, under sanitizers.
 #
 # In the environment: MUTANTS_CC and MUTANTS_SANITIZED, compilers with their flags; MUTANTS_STRESS,
 # the sources of `make stress`; JOBS, how many changes at a time.
@@ -73,7 +73,8 @@ sculpts() {
         return 1
     for file in fine/*; do
         name=${file##*/}
-        cmp "$file" "$work/models/$name" && cmp "coarse/$name" "$base/common/sculptor/sculpt/kept/$name" || return 1
+        cmp "$file" "$work/models/$name" &&
+            cmp "coarse/$name" "$base/common/sculptor/sculpt/kept/$name" || return 1
         rm "coarse/$name" && mkdir "coarse/$name" || return 1
         message=$(./program coarse 8 2>&1)
         [ $? -eq 1 ] && case $message in *"$name: is a directory") ;; *) false ;; esac || return 1
