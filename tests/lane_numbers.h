@@ -46,7 +46,7 @@ static inline struct shown in_each_lane(lane_function *function, const double *n
     const struct shown first = function(0, numbers);
     for (int lane = 1; lane < LANES; lane++) {
         const struct shown shown = function(lane, numbers);
-        if (strcmp(first.text, shown.text) != 0) {
+        if (!same_text(first.text, shown.text)) {
             return show("%.80s, in lane %d %.80s", first.text, lane, shown.text);
         }
     }

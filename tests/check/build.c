@@ -99,10 +99,17 @@ static bool make_succeeded(const struct run_result *result) {
     return result->end == RUN_EXITED && result->number == 0;
 }
 
+/* Not by what is in main.c. */
+static bool is_stopped(const struct run_result *result) {
+    return result->end == RUN_OUT_OF_TIME || result->end == RUN_KILLED;
+}
+
 static struct message_line make_failure(const struct run_result *result, double seconds) {
     struct message_line reason;
-    if (result->end == RUN_OUT_OF_TIME) {
-        snprintf(reason.text, sizeof reason.text, "stopped after %g s", seconds);
+    const struct run_limits limits = {.seconds = seconds};
+    if (is_stopped(result)) {
+        snprintf(reason.text, sizeof reason.text, "the compiler was stopped: %s",
+                 run_ended_by(result, &limits).text);
         return reason;
     }
     if (strstr((const char *)result->messages.data, "undefined reference to `main'") != NULL) {
@@ -192,6 +199,7 @@ bool build_step(const struct options *options, const char *step, struct build_re
         done = !lacked_room(options, (const char *)end.messages.data, error);
         if (!lacks_source(options, step, (const char *)end.messages.data, &result->reason)) {
             result->reason = make_failure(&end, limits.seconds);
+            result->stopped = is_stopped(&end);
         }
     } else if (done && access(program, X_OK) != 0) {
         snprintf(result->reason.text, sizeof result->reason.text, "make has built no %.150s",

@@ -20,6 +20,7 @@ bool build_lock(const struct options *options, struct error *error);
 /* How a step was built. */
 struct build_result {
     struct message_line reason;  /* why it could not be; or empty */
+    bool stopped;                /* for its time or memory: main.c may be right */
     struct message_line warning; /* the first line in which the compiler warns; or empty */
     size_t more_warnings;
     struct bytes messages; /* everything make and the compiler said */

@@ -28,6 +28,9 @@ enum mistake_doubt doubt_find(const struct suspicion *suspicion, const struct mi
     const struct step_result *result = suspicion->result;
     const char *task = mistake->task.text;
     bool is_doubtful = false;
+    if (task[0] != '\0' && result_numbers_blame_others(result, suspicion->item, task)) {
+        return MISTAKE_IMPOSSIBLE;
+    }
     for (size_t i = 0; i < suspicion->scene_count; i++) {
         const struct item_result *other = &result->items[i];
         const struct looks *scene = &suspicion->looks[i];
@@ -41,6 +44,9 @@ enum mistake_doubt doubt_find(const struct suspicion *suspicion, const struct mi
         is_doubtful |= other->state == RESULT_FAIL &&
                        credit_covers(suspicion->item->credit, other->credit) &&
                        is_wrong_otherwise(other, scene, look);
+    }
+    if ((is_doubtful || suspicion->item->only_may_be) && result_calls_are_right(result, task)) {
+        return MISTAKE_IMPOSSIBLE;
     }
     return is_doubtful ? MISTAKE_DOUBTFUL
            : result_is_right(result, task) || todo_has_task(suspicion->source, task)

@@ -3,7 +3,9 @@
  * work, looks like.
  *
  *     MISTAKE_IMPOSSIBLE  a scene is exact that the mistake would make wrong, or it passes with
- *                         less than a tenth of the pixels apart that the mistake makes so;
+ *                         less than a tenth of the pixels apart that the mistake makes so; or wrong
+ *                         calls lay the item to other tasks; or it would be DOUBTFUL, and the calls
+ *                         of its task are right;
  *     MISTAKE_DOUBTFUL    another scene fails that shows and needs nothing but what this one does
  *                         (so no other task can have made it wrong), and it is not so that the
  *                         mistake makes it, or the mistake would leave it right. Two mistakes in

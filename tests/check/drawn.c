@@ -18,6 +18,7 @@
 enum {
     TGA_HEADER_SIZE = 18,
     HUGE_PIXELS = 1 << 24, /* a picture of the wrong size is not read from this size on */
+    STATS_SIZE = 1 << 18,  /* counters come last, behind whatever a student prints */
     MESSAGE_WIDTH = 200
 };
 
@@ -54,6 +55,7 @@ bool drawn_run(const char *programs, const char *step, const char *directory, co
     struct run_command command = {.arguments = arguments,
                                   .directory = directory,
                                   .output = output,
+                                  .output_bytes = STATS_SIZE,
                                   .contained = true,
                                   .limits = *limits};
     return run(&command, result, error);

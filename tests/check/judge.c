@@ -574,13 +574,16 @@ static void find_all_to_do(const struct judging *judging) {
     }
 }
 
-/* What a task waits for that is written: what the first item needs that shows it and is to do. */
+/* What a task waits for that is written: what the first item needs that shows it and is to do. And
+ * which ones are right, though they are to do. */
 static void find_waiting_tasks(const struct judging *judging) {
     struct step_result *result = judging->result;
     const char *source = (const char *)judging->source.data;
     for (size_t i = 0; i < result->task_count; i++) {
         struct task_result *task = &result->tasks[i];
-        bool waits = task->state == RESULT_TODO && !todo_has_task(source, task->name.text);
+        const bool is_marked = todo_has_task(source, task->name.text);
+        bool waits = task->state == RESULT_TODO && !is_marked;
+        task->is_marked = is_marked && task->state == RESULT_PASS && task->points == task->most;
         for (size_t k = 0; k < result->item_count && waits && task->waits_for == NULL; k++) {
             const struct item_result *item = &result->items[k];
             if (item->state == RESULT_TODO &&
@@ -595,7 +598,8 @@ static void find_waiting_tasks(const struct judging *judging) {
 static void tell_crashing_functions(struct step_result *result) {
     for (size_t i = 0; i < result->item_count && !result->sanitized; i++) {
         struct item_result *item = &result->items[i];
-        const struct item_result *numbers = item->blamed ? result_numbers_of(result, item) : NULL;
+        const struct item_result *numbers =
+            item->blamed && item->state > RESULT_FAIL ? result_numbers_of(result, item) : NULL;
         if (numbers != NULL) {
             result_say(&item->message, "; %.*s() %s, see numbers %s",
                        (int)strcspn(numbers->message.text, "("), numbers->message.text,
@@ -749,6 +753,7 @@ static bool build_and_judge(struct judging *judging, struct error *error) {
     bool done = build_step(judging->options, judging->step->name, &built, error);
     if (done && built.reason.text[0] != '\0') {
         result->messages = built.messages;
+        result->build_stopped = built.stopped;
         set_not_built(judging, &built.reason);
         return true;
     }

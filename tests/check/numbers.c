@@ -23,6 +23,7 @@ enum {
 struct called_task {
     struct item_result *item;
     size_t called, wrong; /* calls */
+    char marked[TASK_NAME_LIMIT + 1];
 };
 
 /* What is known while the functions of a step are called. */
@@ -35,6 +36,9 @@ struct calling {
     const char **arguments; /* of the program: the last are tasks that are not called */
     size_t argument_count;
     long first; /* the call to begin with */
+    /* Why the program has ended without its last line, outside of any call; or empty. */
+    struct result_text broken;
+    bool begun; /* it has called something */
 };
 
 static struct called_task *find_task(const struct calling *calling, const char *name) {
@@ -46,8 +50,16 @@ static struct called_task *find_task(const struct calling *calling, const char *
     return NULL;
 }
 
+/* Call nothing that needs the task, or that is the one behind a !. */
 static void leave_out(struct calling *calling, const char *task) {
     calling->arguments[calling->argument_count++] = task;
+}
+
+/* Call nothing of a task that does not return: its name with a !. */
+static void leave_out_own(struct calling *calling, struct called_task *task) {
+    snprintf(task->marked, sizeof task->marked, "!%s", task->item->counter);
+    leave_out(calling, task->marked);
+    leave_out(calling, task->item->counter);
 }
 
 /* ---- Lines ---- */
@@ -87,7 +99,7 @@ static void set_ended(struct calling *calling, struct called_task *task,
     struct result_text fault = {""};
     if (end->end == RUN_OUT_OF_TIME) {
         set_wrong(task, columns, RESULT_TIME, "yours does not return");
-        leave_out(calling, task->item->counter);
+        leave_out_own(calling, task);
     } else if (fault_describe(&fault, calling->step->name, (const char *)end->messages.data)) {
         set_wrong(task, columns, RESULT_CRASH, fault.text);
     } else if (end->end == RUN_KILLED) {
@@ -106,6 +118,7 @@ static bool judge_line(struct calling *calling, char *line, const struct run_res
         return false;
     }
     bool is_whole = count == NUMBER_COLUMNS;
+    calling->begun = true;
     task->called++;
     calling->first = strtol(columns[0], NULL, 10) + 1;
     if (!is_whole) {
@@ -117,6 +130,15 @@ static bool judge_line(struct calling *calling, char *line, const struct run_res
 }
 
 /* ---- The program ---- */
+
+/* The program has ended without its last line, and not in a call. */
+static void set_broken(struct calling *calling, const struct run_result *end,
+                       const struct run_limits *limits) {
+    const struct run_text ended = run_ended_by(end, limits);
+    result_say(&calling->broken, "yours ends the program %s: %s",
+               calling->begun ? "between two calls" : "before main()",
+               ended.text[0] != '\0' ? ended.text : "exit status 0");
+}
 
 /* Call the functions until all are called, or one does not come back: then `*more`. */
 static bool call_some(struct calling *calling, const char *directory, bool *more,
@@ -136,7 +158,7 @@ static bool call_some(struct calling *calling, const char *directory, bool *more
         .contained = true,
         .limits = run_program_limits(calling->options->seconds / 4),
     };
-    bool done = run(&command, &end, error);
+    bool done = run(&command, &end, error), at_end = false;
     *more = false;
     if (done && end.end != RUN_INTERRUPTED && file_read(path, &lines, &ignored) &&
         bytes_append(&lines, "", 1)) {
@@ -144,7 +166,11 @@ static bool call_some(struct calling *calling, const char *directory, bool *more
             next = line + strcspn(line, "\n");
             next += *next == '\n' ? (*next = '\0', 1) : 0;
             *more |= judge_line(calling, line, &end);
+            at_end |= strcmp(line, "end") == 0;
         }
+    }
+    if (done && !*more && !at_end && end.end != RUN_INTERRUPTED) {
+        set_broken(calling, &end, &command.limits);
     }
     bytes_free(&lines);
     bytes_free(&end.messages);
@@ -179,7 +205,9 @@ static void set_not_called(const struct calling *calling, const char *reason) {
 static void finish(const struct calling *calling, const char *source) {
     for (size_t i = 0; i < calling->count; i++) {
         const struct called_task *task = &calling->tasks[i];
-        if (task->wrong > 1) {
+        if (calling->broken.text[0] != '\0' && task->wrong == 0) {
+            result_say(&task->item->message, "%s", calling->broken.text);
+        } else if (task->wrong > 1) {
             result_say(&task->item->message, " (and %zu more call%s)", task->wrong - 1,
                        task->wrong == 2 ? "" : "s");
         } else if (task->wrong == 0 && task->called > 0) {
@@ -221,7 +249,7 @@ bool numbers_judge(const struct options *options, const struct checked_step *ste
     struct calling calling = {.options = options, .step = step};
     snprintf(calling.name, sizeof calling.name, "numbers/%s", step->name);
     calling.tasks = calloc(step->item_count + 1, sizeof *calling.tasks);
-    calling.arguments = calloc(2 * step->item_count + ARGUMENT_COUNT, sizeof *calling.arguments);
+    calling.arguments = calloc(3 * step->item_count + ARGUMENT_COUNT, sizeof *calling.arguments);
     bool done = false;
     if (calling.tasks == NULL || calling.arguments == NULL) {
         error_out_of_memory(error);

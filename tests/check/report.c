@@ -141,9 +141,20 @@ static void report_warnings(const struct step_result *step) {
     printf("\n");
 }
 
+/* Comments of the starter that have stayed. */
+static void report_marked(const struct step_result *step) {
+    for (size_t i = 0; i < step->task_count; i++) {
+        const char *task = step->tasks[i].name.text;
+        if (step->tasks[i].is_marked) {
+            printf("  task %s is right: its comment `to do %s` in main.c can go\n", task, task);
+        }
+    }
+}
+
 /* What follows the rows of a step. */
 static void report_advice(const struct step_result *step) {
     report_warnings(step);
+    report_marked(step);
     if (step->state == RESULT_CRASH && !step->sanitized) {
         printf("  make check STEP=%.2s SANITIZE=1 says in which line\n",
                step->name + strlen("step"));
@@ -268,32 +279,50 @@ bool report_is_unfinished(const struct check_result *result) {
     return only_to_do;
 }
 
-/* Do the numbers of a task pass? */
-static bool has_right_numbers(const struct step_result *step, const struct task_result *task) {
-    bool passes = false;
+/* Do the calls of a task fail, and are its fault? */
+static bool has_wrong_numbers(const struct step_result *step, const struct task_result *task) {
+    bool wrong = false;
     for (size_t i = 0; i < step->item_count; i++) {
         const struct item_result *item = &step->items[i];
-        passes |= item->is_numbers && item->state == RESULT_PASS &&
-                  strcmp(item->counter, task->name.text) == 0;
+        wrong |= item->is_numbers && item->state >= RESULT_FAIL && item->state <= RESULT_CRASH &&
+                 strcmp(item->counter, task->name.text) == 0;
     }
-    return passes;
+    return wrong && !task->perhaps;
 }
 
-/* The task to go on with: the first that is wrong for sure, else of those that perhaps are the one
- * whose numbers do not pass, else the first of them, else the first that is to do; or NULL. */
+/* Of the tasks that only may be at fault, and whose calls pass, the one that the first item which is
+ * wrong leads to. */
+static const struct task_result *find_last_resort(const struct step_result *step) {
+    const char *task = "";
+    for (size_t i = step->item_count; i-- > 0;) {
+        const struct item_result *item = &step->items[i];
+        bool is_wrong = item->state >= RESULT_FAIL && item->state <= RESULT_CRASH;
+        task = is_wrong && !item->unjudged ? result_first_suspect(step, item) : task;
+    }
+    size_t i = 0;
+    while (i < step->task_count && strcmp(step->tasks[i].name.text, task) != 0) {
+        i++;
+    }
+    return i < step->task_count ? &step->tasks[i] : NULL;
+}
+
+/* The task to go on with: the first whose calls fail, else that is wrong for sure, else that perhaps
+ * is, rather one whose calls do not pass; else the first that is to do; or NULL. */
 static const struct task_result *find_next(const struct step_result *step) {
+    enum { WRONG_CALLS, OTHERS, LAST_RESORT = OTHERS + 3, TO_DO, NOTHING };
     const struct task_result *next = NULL;
-    int least = 4;
+    int least = NOTHING;
     for (size_t i = 0; i < step->task_count; i++) {
         const struct task_result *task = &step->tasks[i];
-        int rank = task->state == RESULT_PASS || task->waits_for != NULL ? 4
-                   : task->state == RESULT_TODO                          ? 3
-                   : !task->perhaps                                      ? 0
-                                    : 1 + has_right_numbers(step, task);
+        const bool passes = result_calls_are_right(step, task->name.text);
+        int rank = task->state == RESULT_PASS || task->waits_for != NULL ? NOTHING
+                   : task->state == RESULT_TODO                          ? TO_DO
+                   : has_wrong_numbers(step, task)                       ? WRONG_CALLS
+                                                   : OTHERS + 2 * passes + task->perhaps;
         next = rank < least ? task : next;
         least = rank < least ? rank : least;
     }
-    return next;
+    return least == LAST_RESORT ? find_last_resort(step) : next;
 }
 
 /* What to do now, in the first lesson that is not right. */
@@ -301,7 +330,10 @@ static void report_next(const struct check_result *result) {
     for (size_t i = 0; i < result->step_count; i++) {
         const struct step_result *step = &result->steps[i];
         if (step->state == RESULT_BUILD) {
-            printf("First let it build.\n");
+            printf("%s\n",
+                   step->build_stopped
+                       ? "Nothing is known of it yet: check again when the machine is less busy."
+                       : "First let it build.");
             return;
         }
         const struct task_result *task = find_next(step);

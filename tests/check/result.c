@@ -42,6 +42,27 @@ void check_result_free(struct check_result *result) {
     *result = (struct check_result){.steps = NULL};
 }
 
+static struct task_result *find_task(struct step_result *result, struct task_name name) {
+    for (size_t i = 0; i < result->task_count; i++) {
+        if (strcmp(result->tasks[i].name.text, name.text) == 0) {
+            return &result->tasks[i];
+        }
+    }
+    struct task_result *task = &result->tasks[result->task_count++];
+    task->name = name;
+    return task;
+}
+
+/* All tasks, in the order in which the items name them. */
+static void list_tasks(struct step_result *result) {
+    for (size_t i = 0; i < result->item_count; i++) {
+        const struct credit *credit = result->items[i].credit;
+        for (size_t k = 0; k < credit->task_count; k++) {
+            find_task(result, credit->tasks[k]);
+        }
+    }
+}
+
 bool step_result_begin(struct step_result *result, const struct checked_step *step,
                        struct error *error) {
     *result = (struct step_result){.name = step->name, .state = RESULT_FAIL};
@@ -63,20 +84,8 @@ bool step_result_begin(struct step_result *result, const struct checked_step *st
                                                 .most = rule->most,
                                                 .least = rule->least};
     }
+    list_tasks(result);
     return true;
-}
-
-/* ---- The sums ---- */
-
-static struct task_result *find_task(struct step_result *result, struct task_name name) {
-    for (size_t i = 0; i < result->task_count; i++) {
-        if (strcmp(result->tasks[i].name.text, name.text) == 0) {
-            return &result->tasks[i];
-        }
-    }
-    struct task_result *task = &result->tasks[result->task_count++];
-    task->name = name;
-    return task;
 }
 
 const struct item_result *result_picture_of(const struct step_result *result,
@@ -100,11 +109,140 @@ bool result_is_right(const struct step_result *result, const char *task) {
     return false;
 }
 
-/* How many of a failing item's tasks are shown right by no other scene. */
+/* ---- Who may be at fault ---- */
+
+/* Failed, and not just unfinished or beyond the check. */
+static bool is_wrong(const struct item_result *item) {
+    return item->state == RESULT_FAIL || item->state == RESULT_TIME || item->state == RESULT_CRASH;
+}
+
+/* Do these numbers rely on a task whose own numbers are wrong? Then they say nothing. */
+static bool is_spoilt(const struct step_result *result, const struct item_result *numbers) {
+    bool spoilt = false;
+    for (size_t i = 0; i < result->item_count; i++) {
+        const struct item_result *other = &result->items[i];
+        spoilt |= other->is_numbers && is_wrong(other) &&
+                  credit_relies_on(numbers->credit, other->counter);
+    }
+    return spoilt;
+}
+
+/* The numbers that show the task wrong; NULL where none do. */
+static const struct item_result *find_wrong_numbers(const struct step_result *result,
+                                                    const char *task) {
+    for (size_t i = 0; i < result->item_count; i++) {
+        const struct item_result *item = &result->items[i];
+        if (item->is_numbers && is_wrong(item) && strcmp(item->counter, task) == 0 &&
+            !is_spoilt(result, item)) {
+            return item;
+        }
+    }
+    return NULL;
+}
+
+bool result_calls_are_right(const struct step_result *result, const char *task) {
+    bool right = false;
+    for (size_t i = 0; i < result->item_count; i++) {
+        const struct item_result *item = &result->items[i];
+        right |= item->is_numbers && item->state == RESULT_PASS && strcmp(item->counter, task) == 0;
+    }
+    return right;
+}
+
+/* Do wrong numbers say that this task is at fault in the item, where its faults can show, or which
+ * ends as badly as the calls did? */
+static bool numbers_blame(const struct step_result *result, const struct item_result *item,
+                          const char *task) {
+    const struct item_result *numbers = find_wrong_numbers(result, task);
+    return numbers != NULL && (credit_has(item->credit, task) ||
+                               (item->state > RESULT_FAIL && item->state == numbers->state));
+}
+
+const struct item_result *result_numbers_of(const struct step_result *result,
+                                            const struct item_result *item) {
+    for (size_t i = 0; i < result->item_count; i++) {
+        const struct item_result *numbers = &result->items[i];
+        if (numbers->is_numbers && numbers->state == item->state &&
+            find_wrong_numbers(result, numbers->counter) == numbers) {
+            return numbers;
+        }
+    }
+    return NULL;
+}
+
+/* Does the item look like a mistake of this task, whose faults can show in it? What only may be one
+ * names none. */
+static bool names(const struct step_result *result, const struct item_result *item,
+                  const char *task) {
+    (void)result;
+    return !item->only_may_be && task_is_among(item->looks_tasks, item->looks_task_count, task) &&
+           credit_has(item->credit, task);
+}
+
+/* The first task of which that is true for the item; NULL for none. */
+static const char *first_task(const struct step_result *result, const struct item_result *item,
+                              bool is_true(const struct step_result *result,
+                                           const struct item_result *item, const char *task)) {
+    for (size_t i = 0; i < result->task_count; i++) {
+        if (is_true(result, item, result->tasks[i].name.text)) {
+            return result->tasks[i].name.text;
+        }
+    }
+    return NULL;
+}
+
+bool result_numbers_blame_others(const struct step_result *result, const struct item_result *item,
+                                 const char *task) {
+    return first_task(result, item, numbers_blame) != NULL && !numbers_blame(result, item, task);
+}
+
+/* What is known of whose fault an item is that is wrong. */
+struct culprits {
+    /* The item that shows it: the item itself, or its picture where that is why it fails. */
+    const struct item_result *shown_by;
+    /* Says of each task whether it is at fault; NULL where nothing names one. */
+    bool (*blames)(const struct step_result *result, const struct item_result *item,
+                   const char *task);
+};
+
+static struct culprits find_culprits(const struct step_result *result,
+                                     const struct item_result *item) {
+    struct culprits culprits = {.shown_by =
+                                    item->unjudged ? result_picture_of(result, item) : item};
+    if (first_task(result, culprits.shown_by, numbers_blame) != NULL) {
+        culprits.blames = numbers_blame;
+    } else if (first_task(result, culprits.shown_by, names) != NULL) {
+        culprits.blames = names;
+    }
+    return culprits;
+}
+
+/* What speaks for a task that an item shows: the more, the less it may be at fault. */
+enum evidence { EVIDENCE_NONE, EVIDENCE_CALLS, EVIDENCE_PICTURE };
+
+static enum evidence find_evidence(const struct step_result *result, const char *task) {
+    return result_is_right(result, task)          ? EVIDENCE_PICTURE
+           : result_calls_are_right(result, task) ? EVIDENCE_CALLS
+                                                  : EVIDENCE_NONE;
+}
+
+/* The least that speaks for one of the tasks that the item shows: those may be at fault. */
+static enum evidence find_least_evidence(const struct step_result *result,
+                                         const struct credit *credit) {
+    enum evidence least = EVIDENCE_PICTURE;
+    for (size_t i = 0; i < credit->task_count; i++) {
+        enum evidence found = find_evidence(result, credit->tasks[i].text);
+        least = found < least ? found : least;
+    }
+    return least;
+}
+
+/* Of the tasks that the item shows, as many may be at fault. */
 static size_t count_suspects(const struct step_result *result, const struct credit *credit) {
     size_t suspects = 0;
     for (size_t i = 0; i < credit->task_count; i++) {
-        suspects += !result_is_right(result, credit->tasks[i].text);
+        suspects +=
+            find_evidence(result, credit->tasks[i].text) == find_least_evidence(result, credit);
     }
     return suspects;
 }
@@ -113,77 +251,24 @@ const char *result_likeness(const struct item_result *item) {
     return item->only_may_be ? "may be" : "looks like";
 }
 
-static bool are_wrong_numbers(const struct item_result *item) {
-    return item->is_numbers && (item->state == RESULT_FAIL || item->state == RESULT_TIME ||
-                                item->state == RESULT_CRASH);
-}
-
-/* Do these numbers need a task whose own numbers are wrong? Then they say nothing. */
-static bool is_need_of_numbers_wrong(const struct step_result *result,
-                                     const struct item_result *numbers) {
-    bool wrong = false;
-    for (size_t i = 0; i < result->item_count; i++) {
-        const struct item_result *other = &result->items[i];
-        wrong |= are_wrong_numbers(other) && credit_needs(numbers->credit, other->counter);
-    }
-    return wrong;
-}
-
-/* Do wrong numbers say that this task is at fault in the item, which shows or needs it, or ends as
- * badly as the calls did? */
-static bool numbers_blame(const struct step_result *result, const struct item_result *item,
-                          const char *task) {
-    for (size_t i = 0; i < result->item_count; i++) {
-        const struct item_result *numbers = &result->items[i];
-        if (are_wrong_numbers(numbers) && strcmp(numbers->counter, task) == 0 &&
-            !is_need_of_numbers_wrong(result, numbers) &&
-            (credit_has(item->credit, task) ||
-             (item->state > RESULT_FAIL && item->state == numbers->state))) {
-            return true;
-        }
-    }
-    return false;
-}
-
-const struct item_result *result_numbers_of(const struct step_result *result,
-                                            const struct item_result *item) {
-    for (size_t i = 0; i < result->item_count; i++) {
-        const struct item_result *numbers = &result->items[i];
-        if (are_wrong_numbers(numbers) && numbers->state == item->state &&
-            !is_need_of_numbers_wrong(result, numbers)) {
-            return numbers;
-        }
-    }
-    return NULL;
-}
-
-/* The first task of which that is true for the item: its number, or task_count. */
-static size_t first_task(const struct step_result *result, const struct item_result *item,
-                         bool is_true(const struct step_result *result,
-                                      const struct item_result *item, const char *task)) {
-    size_t i = 0;
-    while (i < result->task_count && !is_true(result, item, result->tasks[i].name.text)) {
-        i++;
-    }
-    return i;
-}
-
-/* The first task that may be to blame for an item that is wrong. */
-static const char *first_suspect(const struct step_result *result, const struct item_result *item) {
+const char *result_first_suspect(const struct step_result *result, const struct item_result *item) {
     const struct credit *credit = item->credit;
-    size_t blamed = first_task(result, item, numbers_blame);
-    if (blamed < result->task_count) {
-        return result->tasks[blamed].name.text;
+    const struct culprits culprits = find_culprits(result, item);
+    if (culprits.blames != NULL) {
+        return first_task(result, culprits.shown_by, culprits.blames);
     }
     if (item->looks_task_count > 0) {
         return item->looks_tasks[0].text;
     }
+    const enum evidence least = find_least_evidence(result, credit);
+    const char *suspect = NULL;
     for (size_t i = 0; i < credit->task_count; i++) {
-        if (!result_is_right(result, credit->tasks[i].text)) {
-            return credit->tasks[i].text;
+        const char *task = credit->tasks[i].text;
+        if (find_evidence(result, task) == least && (suspect == NULL || least > EVIDENCE_NONE)) {
+            suspect = task;
         }
     }
-    return credit->tasks[0].text;
+    return suspect;
 }
 
 struct result_text result_advice(const struct step_result *result, const struct item_result *item) {
@@ -194,7 +279,7 @@ struct result_text result_advice(const struct step_result *result, const struct 
         }
         result_say(&advice, "%s%u", i > 0 ? " or " : "", item->looks_figures[i]);
     }
-    const char *first = first_suspect(result, item);
+    const char *first = result_first_suspect(result, item);
     result_say(&advice, "; make hint STEP=%.2s TASK=%s", result->name + strlen("step"), first);
     for (size_t i = 1; i < item->looks_task_count; i++) {
         if (strcmp(item->looks_tasks[i].text, first) != 0) {
@@ -204,30 +289,17 @@ struct result_text result_advice(const struct step_result *result, const struct 
     return advice;
 }
 
-/* Does the item look like a mistake of this task, which it shows or needs? What only may be one
- * names none. */
-static bool names(const struct step_result *result, const struct item_result *item,
-                  const char *task) {
-    (void)result;
-    return !item->only_may_be && task_is_among(item->looks_tasks, item->looks_task_count, task) &&
-           credit_has(item->credit, task);
-}
-
 /* May this task be at fault in the item, which is wrong? */
 static bool is_suspect(const struct step_result *result, const struct item_result *item,
                        const char *task) {
     const struct credit *credit = item->credit;
-    const struct item_result *told = item->unjudged ? result_picture_of(result, item) : item;
-    if (first_task(result, told, numbers_blame) < result->task_count) {
-        return numbers_blame(result, told, task);
+    const struct culprits culprits = find_culprits(result, item);
+    if (culprits.blames != NULL) {
+        return culprits.blames(result, culprits.shown_by, task);
     }
-    if (first_task(result, told, names) < result->task_count) {
-        return names(result, told, task);
-    }
-    bool may_be_right =
-        item->state == RESULT_FAIL && (item->unjudged || count_suspects(result, credit) > 0);
+    const enum evidence most = item->unjudged ? EVIDENCE_NONE : find_least_evidence(result, credit);
     return task_is_among(credit->tasks, credit->task_count, task) &&
-           !(may_be_right && result_is_right(result, task));
+           find_evidence(result, task) <= most;
 }
 
 /* May the fault be that of a task that the item needs? */
@@ -243,8 +315,7 @@ static bool is_need_wrong(const struct step_result *result, const struct credit 
 /* Is it not known whose fault the item is? The states of all tasks are known. */
 static bool is_unsure(const struct step_result *result, const struct item_result *item) {
     const struct credit *credit = item->credit;
-    if (item->state != RESULT_FAIL ||
-        first_task(result, item, numbers_blame) < result->task_count) {
+    if (item->state != RESULT_FAIL || first_task(result, item, numbers_blame) != NULL) {
         return false;
     }
     if (item->looks_task_count > 0 && !item->only_may_be) {
@@ -256,18 +327,55 @@ static bool is_unsure(const struct step_result *result, const struct item_result
     return item->unjudged || is_shared || is_need_wrong(result, credit);
 }
 
+/* ---- Points ---- */
+
+/* Does something that is not drawn by calls show what the step's functions are worth? A picture or
+ * a count that passes; or there is none that is wrong, but by tasks that are known. (Calls are made
+ * in the student's program, which can tamper with them.) */
+static bool has_evidence(const struct step_result *result) {
+    bool any_wrong = false;
+    for (size_t i = 0; i < result->item_count; i++) {
+        const struct item_result *item = &result->items[i];
+        if (!item->is_numbers && item->state == RESULT_PASS) {
+            return true;
+        }
+        any_wrong |=
+            !item->is_numbers && is_wrong(item) && find_culprits(result, item).blames == NULL;
+    }
+    return !any_wrong;
+}
+
+/* Does the task get its share of the item's points? It keeps that where an item is wrong by another
+ * task, and its own calls are right. */
+static bool earns_share(const struct step_result *result, const struct item_result *item,
+                        const char *task) {
+    if (item->is_numbers) {
+        return item->state == RESULT_PASS && has_evidence(result);
+    }
+    const struct culprits culprits = find_culprits(result, item);
+    return item->state == RESULT_PASS ||
+           (is_wrong(item) && result_calls_are_right(result, task) && culprits.blames != NULL &&
+            !culprits.blames(result, culprits.shown_by, task));
+}
+
 static void add_item(struct step_result *result, struct item_result *item) {
     const struct credit *credit = item->credit;
-    item->points = item->state == RESULT_PASS ? credit->points : 0;
+    const unsigned share = credit->points / (unsigned)credit->task_count;
+    item->points = 0;
+    for (size_t i = 0; i < credit->task_count; i++) {
+        struct task_result *task = find_task(result, credit->tasks[i]);
+        const unsigned points = earns_share(result, item, credit->tasks[i].text) ? share : 0;
+        item->points += points;
+        task->points += points;
+        task->most += share;
+    }
+    if (item->is_numbers && item->state == RESULT_PASS && item->points == 0) {
+        result_say(&item->message, "right, and counts as soon as a picture is right, too");
+    }
     result->points += item->points;
     result->most += credit->points;
     result->passed += item->state == RESULT_PASS;
     result->pictures_exact += item->exact;
-    for (size_t i = 0; i < credit->task_count; i++) {
-        struct task_result *task = find_task(result, credit->tasks[i]);
-        task->points += item->points / (unsigned)credit->task_count;
-        task->most += credit->points / (unsigned)credit->task_count;
-    }
 }
 
 /* The first item of the task's state, of those that may be its fault; NULL for a right task. */
@@ -300,6 +408,7 @@ static void judge_tasks(struct step_result *result) {
 
 void step_result_finish(struct step_result *result) {
     enum result_state worst = RESULT_PASS;
+    list_tasks(result);
     for (size_t i = 0; i < result->item_count; i++) {
         add_item(result, &result->items[i]);
         worst = result->items[i].state > worst ? result->items[i].state : worst;

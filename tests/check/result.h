@@ -2,8 +2,8 @@
  * What a check has found: filled in once, and read by whoever reports it.
  *
  * A step has items: its pictures, and what else the table of scenes wants: counters of work,
- * relations, numbers. Points belong to items: all of them when it passes, otherwise none. An item's
- * points are shared out evenly to its tasks, so the tasks' points add up to the step's too.
+ * relations, numbers. Points belong to items and are shared out evenly to their tasks, so the tasks'
+ * points add up to the step's too.
  */
 #ifndef TESTS_CHECK_RESULT_H
 #define TESTS_CHECK_RESULT_H
@@ -50,7 +50,7 @@ struct item_result {
     const struct credit *credit;
     const struct checked_item *rule; /* the table's line: how it is judged */
     enum result_state state;
-    unsigned points;            /* 0, or all of them */
+    unsigned points;            /* all of them when it passes; else those that right tasks keep */
     struct result_text message; /* what is wrong, or not exact; empty when there is nothing */
     struct seen_text seen;      /* what can be said of a wrong picture that looks like none */
     struct result_text looks;   /* "A" or "B", the mistakes that draw or count this; or empty */
@@ -79,24 +79,28 @@ struct item_result {
 
 /* What is wrong may be the fault of these tasks:
  *
- * - where the numbers of tasks that it shows or needs are wrong: of these, for sure; also where it
+ * - where numbers are wrong of tasks whose faults can show in it: of these, for sure; also where it
  *   ends badly, as calls of theirs do;
- * - where the item looks like known mistakes of tasks that it shows or needs: of these, whatever
- *   other items show, and of no others; for sure when it is one task, which it shows (what only
- *   may be a mistake looks like none);
- * - otherwise, of the tasks that it shows without those that a picture shows right alone; where
- *   none is left, and in an item that does not just FAIL, of all it shows. For sure when it is
- *   one task, nothing that the item needs has a state other than PASS, and it looks like no mistake
- *   of yet another task.
+ * - where the item looks like known mistakes of such tasks: of these, whatever other items show,
+ *   and of no others; for sure when it is one task, which it shows (what only may be a mistake
+ *   looks like none);
+ * - otherwise, of the tasks that it shows for which least speaks: those whose calls are not right,
+ *   else those that no picture shows right alone, else all. For sure when it is one task, nothing
+ *   that the item needs has a state other than PASS, and it looks like no mistake of yet another
+ *   task.
  *
- * An item that is not judged because of its picture is nobody's fault for sure and that of no task
- * shown right; where the picture looks like such mistakes, only of their tasks. Points do not
- * depend on any of this. */
+ * An item that is not judged because of its picture is nobody's fault for sure, and that of no task
+ * for which anything speaks; where the picture is the fault of such tasks, it is theirs.
+ *
+ * A task keeps its points of an item that is wrong where the fault is known to be another task's,
+ * and its own calls are right. Calls give points as soon as there is a picture that passes, or none
+ * that is wrong for an unknown reason. */
 struct task_result {
     struct task_name name;
     enum result_state state; /* the worst of those of the items that may be its fault */
     bool perhaps;            /* FAIL, and of the first such item it is not sure */
     const char *waits_for;   /* TODO, but written: this task or part is to do first; else NULL */
+    bool is_marked;          /* right, but main.c still says that it is to do */
     unsigned points, most;
 };
 
@@ -112,6 +116,7 @@ struct step_result {
     struct result_text reason;  /* why the step as a whole did not end well; or empty */
     struct result_text warning; /* the compiler's first one of a program that it built; or empty */
     size_t more_warnings;
+    bool build_stopped;    /* the compiler was, for its time or memory: main.c may be right */
     bool sanitized;        /* built to say in which line it crashes, or it has said it */
     struct bytes messages; /* what compiler or program wrote to standard error, then a NUL */
 };
@@ -154,12 +159,23 @@ const struct item_result *result_picture_of(const struct step_result *result,
  * it counts may be drawn wrong.) */
 bool result_is_right(const struct step_result *result, const char *task);
 
+/* Do the numbers of the task pass? */
+bool result_calls_are_right(const struct step_result *result, const char *task);
+
+/* Do wrong numbers lay it to other tasks that the item is wrong? */
+bool result_numbers_blame_others(const struct step_result *result, const struct item_result *item,
+                                 const char *task);
+
 /* The first numbers that are wrong in the way in which the item ended; NULL for none. */
 const struct item_result *result_numbers_of(const struct step_result *result,
                                             const struct item_result *item);
 
 /* The words before `looks`: "looks like", or "may be". */
 const char *result_likeness(const struct item_result *item);
+
+/* The first task that may be to blame for an item that is wrong. Where the calls of all pass, the
+ * last: that is the one in which most can go wrong that calls do not see. */
+const char *result_first_suspect(const struct step_result *result, const struct item_result *item);
 
 /* What to do about what it looks like: ": see step08_projection/WRONG.md, figure 4" where a figure
  * shows it, and "; make hint STEP=08 TASK=8b.2 or TASK=8b.3". */

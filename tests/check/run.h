@@ -47,6 +47,7 @@ struct run_command {
     const char *const *arguments; /* program and arguments, then NULL; found through PATH */
     const char *directory;        /* to run in; NULL: where the caller is */
     const char *output;           /* a file for its standard output; NULL: it is thrown away */
+    size_t output_bytes;          /* keep only the last so many (but on Windows all); 0: all */
     const char *locale;           /* LC_ALL of the command; NULL: unchanged */
     bool contained;               /* under all limits; otherwise seconds and sizes alone */
     struct run_limits limits;

@@ -39,6 +39,7 @@ enum {
 static const double seconds_to_end = 0.5;      /* between SIGTERM and SIGKILL */
 static const double seconds_to_clean_up = 2.0; /* for killed processes to be gone */
 static const double patience = 10; /* times the limit, while others keep the processors busy */
+static const double seconds_of_patience = 5; /* with a compiler that gets no processor */
 
 /* ---- Standard files ---- */
 
@@ -264,12 +265,18 @@ static void stand_between(void) {
     _exit(WEXITSTATUS(status));
 }
 
-static void child(const struct run_command *command, int messages, size_t threads) {
+/* A new file, so that nobody's is written into. */
+static int open_output(const struct run_command *command) {
+    return command->output == NULL ? open("/dev/null", O_WRONLY)
+                                   : open(command->output, O_WRONLY | O_CREAT | O_EXCL, 0600);
+}
+
+/* `output` is a pipe, or -1 where all goes to the file. */
+static void child(const struct run_command *command, int output, int messages, size_t threads) {
     setsid(); /* its own group, and no terminal to write a score to */
     signal(SIGPIPE, SIG_DFL);
     int input = open("/dev/null", O_RDONLY);
-    int output = command->output == NULL ? open("/dev/null", O_WRONLY)
-                                         : open(command->output, O_WRONLY | O_CREAT | O_EXCL, 0600);
+    output = output < 0 ? open_output(command) : output;
     if (input < 0 || output < 0 || dup2(input, STDIN_FILENO) < 0 ||
         dup2(output, STDOUT_FILENO) < 0 || dup2(messages, STDERR_FILENO) < 0) {
         _exit(127);
@@ -306,34 +313,96 @@ static bool has_ended(pid_t id) {
     return waitid(P_PID, (id_t)id, &info, WEXITED | WNOHANG | WNOWAIT) == 0 && info.si_pid == id;
 }
 
+/* What a program writes, and what of it is kept: the first `size` bytes, or the last. */
+struct stream {
+    int ends[2]; /* of the pipe: to read, to write; -1 when closed */
+    size_t size;
+    bool keeps_last;
+    struct bytes kept; /* at most 2 * size */
+};
+
+enum { MESSAGES, OUTPUT, STREAMS };
+
+static bool open_stream(struct stream *stream) {
+    if (pipe(stream->ends) != 0) {
+        return false;
+    }
+    fcntl(stream->ends[0], F_SETFD, FD_CLOEXEC);
+    fcntl(stream->ends[1], F_SETFD, FD_CLOEXEC);
+    fcntl(stream->ends[0], F_SETFL, O_NONBLOCK);
+    return true;
+}
+
+static void close_end(int *end) {
+    if (*end >= 0) {
+        close(*end);
+    }
+    *end = -1;
+}
+
+/* Forget what is older than the last bytes. */
+static void keep_last(struct stream *stream, size_t size) {
+    if (stream->kept.size > size) {
+        memmove(stream->kept.data, stream->kept.data + stream->kept.size - size, size);
+        stream->kept.size = size;
+    }
+}
+
 /* Read what has come, at most one buffer; false when nothing has, or never will. */
-static bool read_messages(int pipe_end, struct bytes *messages) {
+static bool read_stream(struct stream *stream) {
     char buffer[65536];
-    ssize_t length = read(pipe_end, buffer, sizeof buffer);
+    ssize_t length = read(stream->ends[0], buffer, sizeof buffer);
     if (length <= 0) {
         return false;
     }
-    size_t room = MESSAGE_LIMIT - messages->size;
-    bytes_append(messages, buffer, (size_t)length < room ? (size_t)length : room);
+    size_t room = stream->keeps_last ? sizeof buffer : stream->size - stream->kept.size;
+    bytes_append(&stream->kept, buffer, (size_t)length < room ? (size_t)length : room);
+    if (stream->keeps_last && stream->kept.size > 2 * stream->size) {
+        keep_last(stream, stream->size);
+    }
     return true;
 }
 
 /* Wait a tick, or less when the program says something. */
-static void wait_a_tick(int *pipe_end, struct bytes *messages) {
-    struct pollfd waited = {.fd = *pipe_end, .events = POLLIN};
-    if (*pipe_end < 0) {
+static void wait_a_tick(struct stream streams[STREAMS]) {
+    struct pollfd waited[STREAMS];
+    nfds_t count = 0;
+    for (int i = 0; i < STREAMS; i++) {
+        if (streams[i].ends[0] >= 0) {
+            waited[count++] = (struct pollfd){.fd = streams[i].ends[0], .events = POLLIN};
+        }
+    }
+    if (count == 0) {
         pause_ms(TICK_MS);
-    } else if (poll(&waited, 1, TICK_MS) > 0 && !read_messages(*pipe_end, messages)) {
-        close(*pipe_end);
-        *pipe_end = -1;
+    } else if (poll(waited, count, TICK_MS) > 0) {
+        for (int i = 0, k = 0; i < STREAMS; i++) {
+            if (streams[i].ends[0] >= 0 && waited[k++].revents != 0 && !read_stream(&streams[i])) {
+                close_end(&streams[i].ends[0]);
+            }
+        }
     }
 }
 
 /* Read until nobody is left who could say more: what a container holds ends after the container. */
-static void wait_for_silence(int *pipe_end, struct bytes *messages) {
-    for (double end = run_now() + seconds_to_clean_up; *pipe_end >= 0 && run_now() < end;) {
-        wait_a_tick(pipe_end, messages);
+static void wait_for_silence(struct stream streams[STREAMS]) {
+    for (double end = run_now() + seconds_to_clean_up;
+         (streams[MESSAGES].ends[0] >= 0 || streams[OUTPUT].ends[0] >= 0) && run_now() < end;) {
+        wait_a_tick(streams);
     }
+}
+
+/* Write the last bytes of the output into its file; one that cannot be made stays away. */
+static void write_output(const struct run_command *command, struct stream *output) {
+    int file = open_output(command);
+    keep_last(output, output->size);
+    for (size_t done = 0; file >= 0 && done < output->kept.size;) {
+        ssize_t length = write(file, output->kept.data + done, output->kept.size - done);
+        if (length <= 0) {
+            break;
+        }
+        done += (size_t)length;
+    }
+    close_end(&file);
 }
 
 /* What a directory holds; more than is allowed of depth or count is `full`. */
@@ -379,16 +448,21 @@ static enum run_end judge_use(const struct run_command *command, const struct gr
                                                                            : RUN_EXITED;
 }
 
-/* Has it had its time? A program from which others keep the processors gets more. */
-static bool is_out_of_time(const struct group *group, double seconds, double limit) {
-    bool starves = group->runs && group->seconds < limit;
+/* Has it had its time? A program from which others keep the processors gets more, as does a build
+ * as long as it gets anywhere: `idle` are the seconds since it has last used a processor. */
+static bool is_out_of_time(const struct run_command *command, const struct group *group,
+                           double seconds, double idle) {
+    const double limit = command->limits.seconds;
+    bool runs = command->contained ? group->runs : idle < seconds_of_patience;
+    bool starves = runs && group->seconds < limit;
     return seconds > limit && (!starves || seconds > patience * limit);
 }
 
 /* Wait until the program ends or must be stopped. */
-static enum run_end watch(const struct run_command *command, pid_t id, int *pipe_end,
-                          struct bytes *messages) {
+static enum run_end watch(const struct run_command *command, pid_t id,
+                          struct stream streams[STREAMS]) {
     double start = run_now(), next_count = start + COUNT_MS / 1000.0;
+    double used = 0, last_used = start; /* seconds of processors, and when they last grew */
     while (!has_ended(id)) {
         double time = run_now();
         if (run_caught_signal() != 0) {
@@ -396,7 +470,9 @@ static enum run_end watch(const struct run_command *command, pid_t id, int *pipe
         }
         if (time > next_count) {
             struct group group = measure_group(id);
-            enum run_end end = is_out_of_time(&group, time - start, command->limits.seconds)
+            last_used = group.seconds != used ? time : last_used;
+            used = group.seconds;
+            enum run_end end = is_out_of_time(command, &group, time - start, time - last_used)
                                    ? RUN_OUT_OF_TIME
                                : command->contained ? judge_use(command, &group)
                                                     : RUN_EXITED;
@@ -405,7 +481,7 @@ static enum run_end watch(const struct run_command *command, pid_t id, int *pipe
                 return end;
             }
         }
-        wait_a_tick(pipe_end, messages);
+        wait_a_tick(streams);
     }
     return RUN_EXITED;
 }
@@ -455,34 +531,38 @@ static void blank_nuls(struct bytes *messages) {
 
 bool run(const struct run_command *command, struct run_result *result, struct error *error) {
     *result = (struct run_result){.end = RUN_EXITED};
-    int ends[2];
-    if (pipe(ends) != 0) {
-        return error_set(error, "cannot make a pipe: %s", strerror(errno));
-    }
-    fcntl(ends[0], F_SETFD, FD_CLOEXEC);
-    fcntl(ends[1], F_SETFD, FD_CLOEXEC);
-    fcntl(ends[0], F_SETFL, O_NONBLOCK);
+    const bool keeps_output = command->output != NULL && command->output_bytes > 0;
+    struct stream streams[STREAMS] = {
+        [MESSAGES] = {.ends = {-1, -1}, .size = MESSAGE_LIMIT},
+        [OUTPUT] = {.ends = {-1, -1}, .size = command->output_bytes, .keeps_last = true}};
+    bool done =
+        (open_stream(&streams[MESSAGES]) && (!keeps_output || open_stream(&streams[OUTPUT]))) ||
+        error_set(error, "cannot make a pipe: %s", strerror(errno));
     size_t threads = count_threads();
     fflush(NULL);
-    pid_t id = fork();
+    pid_t id = done ? fork() : -1;
     if (id == 0) {
-        child(command, ends[1], threads);
+        child(command, streams[OUTPUT].ends[1], streams[MESSAGES].ends[1], threads);
     }
-    close(ends[1]);
-    bool done = id > 0;
-    if (done) {
-        result->end = watch(command, id, &ends[0], &result->messages);
+    close_end(&streams[MESSAGES].ends[1]);
+    close_end(&streams[OUTPUT].ends[1]);
+    if (id > 0) {
+        result->end = watch(command, id, streams);
         int status = end_group(id, result->end);
-        wait_for_silence(&ends[0], &result->messages);
+        wait_for_silence(streams);
+        result->messages = streams[MESSAGES].kept;
         blank_nuls(&result->messages);
         judge_status(result, status, command->contained);
         done = bytes_append(&result->messages, "", 1) || error_set(error, "out of memory");
-    } else {
-        error_set(error, "cannot make a process: %s", strerror(errno));
+    } else if (done) {
+        done = error_set(error, "cannot make a process: %s", strerror(errno));
     }
-    if (ends[0] >= 0) {
-        close(ends[0]);
+    if (id > 0 && keeps_output) {
+        write_output(command, &streams[OUTPUT]);
     }
+    bytes_free(&streams[OUTPUT].kept);
+    close_end(&streams[MESSAGES].ends[0]);
+    close_end(&streams[OUTPUT].ends[0]);
     return done;
 }
 

@@ -93,18 +93,27 @@ bool task_is_among(const struct task_name *tasks, size_t count, const char *task
     return found;
 }
 
-bool credit_needs(const struct credit *credit, const char *task) {
+/* Is the task, or the part "8b" of a task 8b.2, among these? */
+static bool is_covered(const struct task_name *tasks, size_t count, const char *task) {
     bool found = false;
-    for (size_t i = 0; i < credit->need_count; i++) {
-        const char *need = credit->needs[i].text;
-        size_t length = strlen(need);
-        found |= strncmp(need, task, length) == 0 && (task[length] == '\0' || task[length] == '.');
+    for (size_t i = 0; i < count; i++) {
+        size_t length = strlen(tasks[i].text);
+        found |= strncmp(tasks[i].text, task, length) == 0 &&
+                 (task[length] == '\0' || task[length] == '.');
     }
     return found;
 }
 
+bool credit_needs(const struct credit *credit, const char *task) {
+    return is_covered(credit->needs, credit->need_count, task);
+}
+
+bool credit_relies_on(const struct credit *credit, const char *task) {
+    return credit_needs(credit, task) || is_covered(credit->spoilers, credit->spoiler_count, task);
+}
+
 bool credit_has(const struct credit *credit, const char *task) {
-    return task_is_among(credit->tasks, credit->task_count, task) || credit_needs(credit, task);
+    return task_is_among(credit->tasks, credit->task_count, task) || credit_relies_on(credit, task);
 }
 
 bool credit_covers(const struct credit *credit, const struct credit *other) {
@@ -118,34 +127,47 @@ bool credit_covers(const struct credit *credit, const struct credit *other) {
     return covers;
 }
 
-/* Add a task to those that the credit shows, or to what it needs. */
-static bool add_task(struct credit *credit, bool is_need, const char *start, size_t length) {
-    struct task_name *tasks = is_need ? credit->needs : credit->tasks;
-    size_t *count = is_need ? &credit->need_count : &credit->task_count;
+/* What a task is to a scene, in the order of the table, and the signs before the others. */
+enum role { ROLE_SHOWN, ROLE_NEEDED, ROLE_SPOILER };
+static const char role_signs[] = "\0+~";
+
+/* Add a task in this role. */
+static bool add_task(struct credit *credit, enum role role, const char *start, size_t length) {
+    struct task_name *lists[] = {credit->tasks, credit->needs, credit->spoilers};
+    size_t *counts[] = {&credit->task_count, &credit->need_count, &credit->spoiler_count};
     struct task_name task = {""};
-    if (length >= sizeof task.text || *count == SCENE_TASK_LIMIT) {
+    if (length >= sizeof task.text || *counts[role] == SCENE_TASK_LIMIT) {
         return false;
     }
     memcpy(task.text, start, length);
-    if (task_is_among(credit->tasks, credit->task_count, task.text) ||
-        task_is_among(credit->needs, credit->need_count, task.text)) {
-        return false;
+    for (size_t i = 0; i < sizeof lists / sizeof lists[0]; i++) {
+        if (task_is_among(lists[i], *counts[i], task.text)) {
+            return false;
+        }
     }
-    tasks[(*count)++] = task;
-    return is_task(task.text, is_need);
+    lists[role][(*counts[role])++] = task;
+    return is_task(task.text, role != ROLE_SHOWN);
 }
 
-/* `5.2` or `5.1,5.2` or `8e.1+8b,8d.1`. */
+/* The role that begins with the sign, or the same one, for a comma. */
+static bool find_role(char sign, enum role *role) {
+    const char *found = strchr(role_signs + *role + 1, sign);
+    *role = found != NULL && sign != ',' ? (enum role)(found - role_signs) : *role;
+    return sign == ',' || found != NULL;
+}
+
+/* `5.2` or `5.1,5.2` or `8e.1+8b,8d.1` or `8b.1+8a~8c`. */
 static bool read_tasks(struct credit *credit, struct text *text, struct error *error) {
     struct word word = text_next_word(text);
-    bool done = true, is_need = false;
+    bool done = true;
+    enum role role = ROLE_SHOWN;
     for (size_t start = 0; done && start <= word.length;) {
         size_t end = start;
-        while (end < word.length && word.start[end] != ',' && (is_need || word.start[end] != '+')) {
+        while (end < word.length && strchr(",+~", word.start[end]) == NULL) {
             end++;
         }
-        done = add_task(credit, is_need, word.start + start, end - start);
-        is_need |= end < word.length && word.start[end] == '+';
+        done = add_task(credit, role, word.start + start, end - start) &&
+               (end == word.length || find_role(word.start[end], &role));
         start = end + 1;
     }
     return done || text_error(error, text->line, "'%s' are no tasks, like 5.2 or 5.1,5.2",

@@ -32,14 +32,19 @@ struct credit {
     size_t task_count;                        /* at least 1 */
     struct task_name needs[SCENE_TASK_LIMIT]; /* other tasks, or "8b": all of a part */
     size_t need_count;
+    struct task_name spoilers[SCENE_TASK_LIMIT]; /* later ones, which it doesn't need but can show */
+    size_t spoiler_count;
     unsigned points; /* a multiple of task_count, not 0 */
 };
 
 /* Is this task, or the part "8b" of a task 8b.2, among what is needed? */
 bool credit_needs(const struct credit *credit, const char *task);
 
-/* Is it shown or needed? */
+/* Can a fault of this task show: is it shown, needed or a spoiler? */
 bool credit_has(const struct credit *credit, const char *task);
+
+/* Can a fault of another task show: is this one needed or a spoiler? */
+bool credit_relies_on(const struct credit *credit, const char *task);
 
 /* Does it show and need everything that the other one does? */
 bool credit_covers(const struct credit *credit, const struct credit *other);

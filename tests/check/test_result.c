@@ -22,7 +22,7 @@ static size_t read_tasks(struct task_name *tasks, const char *text) {
     return count;
 }
 
-/* "KIND TASKS NEEDS STATE LOOKS": what is wrong is FAIL, or CRASH; LOOKS are the tasks of the
+/* "KIND TASKS NEEDS STATE LOOKS": what is wrong is FAIL, or CRASH; NEEDS behind a ~ are spoilers; LOOKS are the tasks of the
  * mistakes that it looks like. A `counter` or one that is `unjudged` is about no picture; in one
  * that is `blank` nothing is drawn; `numbers` are those of one task. */
 static void read_item(struct item_result *item, struct credit *credit, const char *text) {
@@ -30,7 +30,9 @@ static void read_item(struct item_result *item, struct credit *credit, const cha
         looks[LINE_LIMIT];
     CHECK(sscanf(text, "%499s %499s %499s %499s %499s", kind, tasks, needs, state, looks) == 5);
     credit->task_count = read_tasks(credit->tasks, tasks);
-    credit->need_count = read_tasks(credit->needs, needs);
+    const bool spoils = needs[0] == '~';
+    credit->need_count = spoils ? 0 : read_tasks(credit->needs, needs);
+    credit->spoiler_count = spoils ? read_tasks(credit->spoilers, needs + 1) : 0;
     credit->points = (unsigned)credit->task_count;
     item->credit = credit;
     item->scene = "scene";
@@ -41,23 +43,53 @@ static void read_item(struct item_result *item, struct credit *credit, const cha
     item->counter = item->is_numbers ? credit->tasks[0].text : item->counter;
     item->state = strcmp(state, "PASS") == 0   ? RESULT_PASS
                   : strcmp(state, "FAIL") == 0 ? RESULT_FAIL
+                  : strcmp(state, "TODO") == 0 ? RESULT_TODO
                                                : RESULT_CRASH;
     item->looks_task_count = read_tasks(item->looks_tasks, looks);
 }
 
+/* A finished step with these items. */
+static struct step_result step_of(const char *const *items) {
+    static struct checked_item rules[ITEM_LIMIT];
+    static struct task_result tasks[ITEM_LIMIT * SCENE_TASK_LIMIT];
+    static struct item_result results[ITEM_LIMIT];
+    struct checked_step step = {.items = rules};
+    struct step_result result;
+    struct error error;
+    memset(results, 0, sizeof results);
+    for (; step.item_count < ITEM_LIMIT && items[step.item_count] != NULL; step.item_count++) {
+        read_item(&results[step.item_count], &rules[step.item_count].credit,
+                  items[step.item_count]);
+    }
+    CHECK(step_result_begin(&result, &step, &error));
+    memcpy(result.items, results, step.item_count * sizeof *results);
+    step_result_finish(&result);
+    memcpy(results, result.items, step.item_count * sizeof *results);
+    memcpy(tasks, result.tasks, result.task_count * sizeof *tasks);
+    free(result.items);
+    free(result.tasks);
+    result.items = results;
+    result.tasks = tasks;
+    return result;
+}
+
+/* The points of its tasks, "2 0". */
+static struct line points_of(const char *const *items) {
+    struct line line = {""};
+    const struct step_result step = step_of(items);
+    for (size_t i = 0; i < step.task_count; i++) {
+        size_t used = strlen(line.text);
+        snprintf(line.text + used, sizeof line.text - used, "%s%u", i > 0 ? " " : "",
+                 step.tasks[i].points);
+    }
+    return line;
+}
+
 /* The tasks of a step with these items, as "5.1, 5.2 FAIL, 5.3 perhaps FAIL". */
 static struct line tasks_of(const char *const *items) {
-    static struct credit credits[ITEM_LIMIT];
-    static struct item_result results[ITEM_LIMIT];
-    static struct task_result tasks[ITEM_LIMIT * SCENE_TASK_LIMIT];
     struct line line = {""};
-    struct step_result step = {.state = RESULT_FAIL, .items = results, .tasks = tasks};
-    memset(results, 0, sizeof results);
-    memset(tasks, 0, sizeof tasks);
-    for (; step.item_count < ITEM_LIMIT && items[step.item_count] != NULL; step.item_count++) {
-        read_item(&results[step.item_count], &credits[step.item_count], items[step.item_count]);
-    }
-    step_result_finish(&step);
+    const struct step_result step = step_of(items);
+    const struct task_result *tasks = step.tasks;
     for (size_t i = 0; i < step.task_count; i++) {
         size_t used = strlen(line.text);
         const char *state = tasks[i].state == RESULT_PASS ? "" : result_state_name(tasks[i].state);
@@ -92,7 +124,7 @@ static void test_pictures_show(void) {
           "unjudged 1.3 - FAIL -"},
          "1.1, 1.2 FAIL, 1.3 perhaps FAIL"},
         {{"picture 1.1 - PASS -", "counter 1.1 - FAIL -"}, "1.1 FAIL"},
-        {{"picture 1.1,1.2 - CRASH -", "picture 1.1 - PASS -"}, "1.1 CRASH, 1.2 CRASH"},
+        {{"picture 1.1,1.2 - CRASH -", "picture 1.1 - PASS -"}, "1.1, 1.2 CRASH"},
     };
     check_blame(cases, sizeof cases / sizeof cases[0]);
 }
@@ -145,8 +177,52 @@ static void test_numbers_blame(void) {
          "1.1, 1.2 FAIL"},
         {{"picture 1.1,1.2 - FAIL -", "numbers 1.1 - FAIL -", "numbers 1.2 1.1 FAIL -"},
          "1.1 FAIL, 1.2"},
+        /* of a later task: where its fault can show */
+        {{"picture 1.1 - FAIL -", "numbers 1.2 - FAIL -"}, "1.1 FAIL, 1.2 FAIL"},
+        {{"picture 1.1 ~1.2 FAIL -", "numbers 1.2 - FAIL -"}, "1.1, 1.2 FAIL"},
+        {{"numbers 1.1 ~1.2 FAIL -", "numbers 1.2 - FAIL -"}, "1.1, 1.2 FAIL"},
     };
     check_blame(cases, sizeof cases / sizeof cases[0]);
+}
+
+/* A task whose calls are right is blamed only where all are. */
+static void test_right_calls_excuse(void) {
+    static const struct blame_case cases[] = {
+        {{"picture 1.1,1.2 - FAIL -", "numbers 1.1 - PASS -"}, "1.1, 1.2 FAIL"},
+        {{"picture 1.1,1.2 - CRASH -", "numbers 1.1 - PASS -"}, "1.1, 1.2 CRASH"},
+        {{"picture 1.1,1.2 - FAIL -", "numbers 1.1 - PASS -", "numbers 1.2 - PASS -"},
+         "1.1 perhaps FAIL, 1.2 perhaps FAIL"},
+        {{"picture 1.1,1.2 - FAIL -", "unjudged 1.1 - FAIL -", "numbers 1.1 - PASS -"},
+         "1.1, 1.2 FAIL"},
+    };
+    check_blame(cases, sizeof cases / sizeof cases[0]);
+}
+
+/* The points of each task: one of a picture that passes, one of calls. */
+static void test_points(void) {
+    static const struct {
+        const char *items[ITEM_LIMIT];
+        const char *points;
+    } cases[] = {
+        {{"picture 1.1,1.2 - PASS -", "numbers 1.1 - PASS -", "numbers 1.2 - PASS -"}, "2 2"},
+        /* the other one is wrong, by its calls or its looks */
+        {{"picture 1.1,1.2 - FAIL -", "numbers 1.1 - PASS -", "numbers 1.2 - FAIL -"}, "2 0"},
+        {{"picture 1.1,1.2 - FAIL 1.2", "numbers 1.1 - PASS -", "numbers 1.2 - PASS -"}, "2 1"},
+        {{"picture 1.1 ~1.2 FAIL -", "numbers 1.1 - PASS -", "numbers 1.2 - FAIL -"}, "2 0"},
+        {{"unjudged 1.1 1.2 FAIL -", "numbers 1.1 - PASS -", "numbers 1.2 - FAIL -"}, "2 0"},
+        /* nothing shows that this one is right */
+        {{"picture 1.1,1.2 - FAIL -", "numbers 1.2 - FAIL -"}, "0 0"},
+        {{"picture 1.1 - FAIL -", "numbers 1.1 - PASS -", "numbers 1.2 - FAIL -"}, "0 0"},
+        /* calls that are right, and nothing else that is: they may be made up */
+        {{"picture 1.1,1.2 - FAIL -", "numbers 1.1 - PASS -", "numbers 1.2 - PASS -"}, "0 0"},
+        {{"picture 1.1,1.2 - FAIL -", "picture 1.2 - PASS -", "numbers 1.1 - PASS -",
+          "numbers 1.2 - PASS -"},
+         "1 2"},
+        {{"picture 1.1,1.2 - TODO -", "numbers 1.1 - PASS -"}, "1 0"},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        CHECK_TEXT(points_of(cases[i].items).text, cases[i].points);
+    }
 }
 
 /* Where to read about a mistake, and what to ask for: as far as it is known. */
@@ -175,16 +251,11 @@ static void test_advice(void) {
     /* Where numbers lay it to one of the likely tasks, that is named once. */
     static const char *const texts[] = {"picture 8b.2,8c.1 - FAIL 8b.2,8c.1",
                                         "numbers 8c.1 - FAIL -"};
-    struct credit credits[2];
-    struct item_result items[2] = {{.counter = ""}, {.counter = ""}};
-    struct task_result tasks[4] = {{.points = 0}};
-    struct step_result step = {
-        .name = "step08_a", .state = RESULT_FAIL, .items = items, .item_count = 2, .tasks = tasks};
-    read_item(&items[0], &credits[0], texts[0]);
-    read_item(&items[1], &credits[1], texts[1]);
-    step_result_finish(&step);
-    CHECK_TEXT(result_advice(&step, &items[0]).text, "; make hint STEP=08 TASK=8c.1");
+    struct step_result step = step_of((const char *const[]){texts[0], texts[1], NULL});
+    step.name = "step08_a";
+    CHECK_TEXT(result_advice(&step, &step.items[0]).text, "; make hint STEP=08 TASK=8c.1");
 }
 
 UNIT_MAIN(TEST(test_advice), TEST(test_pictures_show), TEST(test_likenesses_name),
-          TEST(test_needs_excuse), TEST(test_numbers_blame))
+          TEST(test_needs_excuse), TEST(test_numbers_blame), TEST(test_right_calls_excuse),
+          TEST(test_points))

@@ -133,7 +133,7 @@ static struct shown called_cut_at(bool weights, struct vec4 a, struct vec4 b, st
                                   int plane, const char *right) {
     for (int other = 0; other < CLIP_PLANES; other++) {
         struct shown shown = called_listed(called_clipped(a, b, c, other), weights);
-        if (strcmp(shown.text, right) == 0) {
+        if (same_text(shown.text, right)) {
             return shown;
         }
     }
