@@ -85,6 +85,8 @@ static const struct tally *judge_shares(struct item_result *item) {
         item->state = RESULT_PASS;
         result_say(&item->message, "%s differ (%s pixel%s)", share_show(differing, drawn, 0).text,
                    show_count(differing).text, differing == 1 ? "" : "s");
+    } else if (item->rule->exact && differing == drawn) {
+        result_say(&item->message, "no drawn pixel is right (must be exact)");
     } else if (item->rule->exact) {
         result_say(&item->message, "%s of %s drawn pixels differ (must be exact)",
                    show_count(differing).text, show_count(drawn).text);

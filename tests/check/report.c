@@ -175,6 +175,54 @@ static void report_items(const struct step_result *step, bool numbers) {
     }
 }
 
+/* ---- What to do next ---- */
+
+/* Do the calls of a task fail, and are its fault? */
+static bool has_wrong_numbers(const struct step_result *step, const struct task_result *task) {
+    bool wrong = false;
+    for (size_t i = 0; i < step->item_count; i++) {
+        const struct item_result *item = &step->items[i];
+        wrong |= item->is_numbers && item->state >= RESULT_FAIL && item->state <= RESULT_CRASH &&
+                 strcmp(item->counter, task->name.text) == 0;
+    }
+    return wrong && !task->perhaps;
+}
+
+/* Of the tasks that only may be at fault, and whose calls pass, the one that the first item which is
+ * wrong leads to. */
+static const struct task_result *find_last_resort(const struct step_result *step) {
+    const char *task = "";
+    for (size_t i = step->item_count; i-- > 0;) {
+        const struct item_result *item = &step->items[i];
+        bool is_wrong = item->state >= RESULT_FAIL && item->state <= RESULT_CRASH;
+        task = is_wrong && !item->unjudged ? result_first_suspect(step, item) : task;
+    }
+    size_t i = 0;
+    while (i < step->task_count && strcmp(step->tasks[i].name.text, task) != 0) {
+        i++;
+    }
+    return i < step->task_count ? &step->tasks[i] : NULL;
+}
+
+/* The task to go on with: the first whose calls fail, else that is wrong for sure, else that perhaps
+ * is, rather one whose calls do not pass; else the first that is to do; or NULL. */
+static const struct task_result *find_next(const struct step_result *step) {
+    enum { WRONG_CALLS, OTHERS, LAST_RESORT = OTHERS + 3, TO_DO, NOTHING };
+    const struct task_result *next = NULL;
+    int least = NOTHING;
+    for (size_t i = 0; i < step->task_count; i++) {
+        const struct task_result *task = &step->tasks[i];
+        const bool passes = result_calls_are_right(step, task->name.text);
+        int rank = task->state == RESULT_PASS || task->waits_for != NULL ? NOTHING
+                   : task->state == RESULT_TODO                          ? TO_DO
+                   : has_wrong_numbers(step, task)                       ? WRONG_CALLS
+                                                   : OTHERS + 2 * passes + task->perhaps;
+        next = rank < least ? task : next;
+        least = rank < least ? rank : least;
+    }
+    return least == LAST_RESORT ? find_last_resort(step) : next;
+}
+
 void report_step(const struct step_result *step) {
     printf("%s  %s %zu/%zu SCORE %u/%u%s", step->name, result_state_name(step->state), step->passed,
            step->item_count, step->points, step->most, is_exact(step) ? " exact" : "");
@@ -185,6 +233,10 @@ void report_step(const struct step_result *step) {
     report_items(step, true);
     report_items(step, false);
     report_advice(step);
+    const struct task_result *next = find_next(step);
+    if (next != NULL && step->state != RESULT_BUILD) {
+        printf("  next: task %s\n", next->name.text);
+    }
     fflush(stdout); /* so that each step is seen as soon as it is known */
 }
 
@@ -277,52 +329,6 @@ bool report_is_unfinished(const struct check_result *result) {
         only_to_do = only_to_do && (state == RESULT_PASS || state == RESULT_TODO);
     }
     return only_to_do;
-}
-
-/* Do the calls of a task fail, and are its fault? */
-static bool has_wrong_numbers(const struct step_result *step, const struct task_result *task) {
-    bool wrong = false;
-    for (size_t i = 0; i < step->item_count; i++) {
-        const struct item_result *item = &step->items[i];
-        wrong |= item->is_numbers && item->state >= RESULT_FAIL && item->state <= RESULT_CRASH &&
-                 strcmp(item->counter, task->name.text) == 0;
-    }
-    return wrong && !task->perhaps;
-}
-
-/* Of the tasks that only may be at fault, and whose calls pass, the one that the first item which is
- * wrong leads to. */
-static const struct task_result *find_last_resort(const struct step_result *step) {
-    const char *task = "";
-    for (size_t i = step->item_count; i-- > 0;) {
-        const struct item_result *item = &step->items[i];
-        bool is_wrong = item->state >= RESULT_FAIL && item->state <= RESULT_CRASH;
-        task = is_wrong && !item->unjudged ? result_first_suspect(step, item) : task;
-    }
-    size_t i = 0;
-    while (i < step->task_count && strcmp(step->tasks[i].name.text, task) != 0) {
-        i++;
-    }
-    return i < step->task_count ? &step->tasks[i] : NULL;
-}
-
-/* The task to go on with: the first whose calls fail, else that is wrong for sure, else that perhaps
- * is, rather one whose calls do not pass; else the first that is to do; or NULL. */
-static const struct task_result *find_next(const struct step_result *step) {
-    enum { WRONG_CALLS, OTHERS, LAST_RESORT = OTHERS + 3, TO_DO, NOTHING };
-    const struct task_result *next = NULL;
-    int least = NOTHING;
-    for (size_t i = 0; i < step->task_count; i++) {
-        const struct task_result *task = &step->tasks[i];
-        const bool passes = result_calls_are_right(step, task->name.text);
-        int rank = task->state == RESULT_PASS || task->waits_for != NULL ? NOTHING
-                   : task->state == RESULT_TODO                          ? TO_DO
-                   : has_wrong_numbers(step, task)                       ? WRONG_CALLS
-                                                   : OTHERS + 2 * passes + task->perhaps;
-        next = rank < least ? task : next;
-        least = rank < least ? rank : least;
-    }
-    return least == LAST_RESORT ? find_last_resort(step) : next;
 }
 
 /* What to do now, in the first lesson that is not right. */

@@ -156,6 +156,31 @@ static struct seen_text find_place(const struct image *reference, const struct i
     return seen;
 }
 
+/* The background: the colour that most pixels of the reference have, or black. (A panel's may be
+ * grey. Boyer and Moore, "MJRTY, a fast majority vote algorithm", 1981.) */
+static struct color find_background(const struct image *reference) {
+    const size_t size = reference->width * reference->height;
+    const struct color black = {0};
+    struct color most = black;
+    size_t votes = 0, count = 0;
+    for (int pass = 0; pass < 2; pass++) {
+        for (size_t i = 0; i < size; i++) {
+            const struct color c =
+                image_get(reference, (int)(i % reference->width), (int)(i / reference->width));
+            const bool same = color_distance(c, most) == 0;
+            if (pass == 1) {
+                count += same;
+            } else if (votes == 0) {
+                most = c;
+                votes = 1;
+            } else {
+                votes += same ? 1 : (size_t)-1;
+            }
+        }
+    }
+    return 2 * count > size ? most : black;
+}
+
 /* Pixels drawn in the reference, in it alone, in yours alone; and of those in both how many have
  * other colours, how many of these are nowhere too light or nowhere too dark, and by how much. */
 struct parts {
@@ -171,15 +196,22 @@ static void add_color(struct parts *parts, struct color right, struct color is) 
     parts->levels += abs(r + g + b) / 3.0;
 }
 
+static bool is_background(struct color c, struct color background) {
+    return color_is_black(c) || color_distance(c, background) == 0;
+}
+
 static struct parts find_parts(const struct image *reference, const struct image *yours) {
     struct parts parts = {.drawn = 0};
+    const struct color background = find_background(reference);
     for (int y = 0; y < (int)reference->height; y++) {
         for (int x = 0; x < (int)reference->width; x++) {
             struct color right = image_get(reference, x, y), is = image_get(yours, x, y);
-            parts.drawn += !color_is_black(right);
-            parts.missing += !color_is_black(right) && color_is_black(is);
-            parts.extra += !color_is_black(is) && color_is_black(right);
-            if (!color_is_black(is) && !color_is_black(right) && !colors_agree(right, is)) {
+            const bool wanted = !is_background(right, background);
+            const bool drawn = !is_background(is, background);
+            parts.drawn += wanted;
+            parts.missing += wanted && !drawn;
+            parts.extra += drawn && !wanted;
+            if (drawn && wanted && !colors_agree(right, is)) {
                 add_color(&parts, right, is);
             }
         }

@@ -143,4 +143,21 @@ static void test_colors(void) {
     }
 }
 
-UNIT_MAIN(TEST(test_places), TEST(test_colors))
+/* A background that is not black: of a panel. */
+static struct color on_grey(int x, int y) {
+    struct color c = shape_color(x, y);
+    return c.r > 0 ? c : color_rgb(26, 26, 26);
+}
+
+static struct color on_grey_without_foot(int x, int y) {
+    return x < 20 ? on_grey(x, y) : color_rgb(26, 26, 26);
+}
+
+static void test_background(void) {
+    struct image right = draw(on_grey, same), yours = draw(on_grey_without_foot, same);
+    CHECK_TEXT(seen_find(&right, &yours).text, "25 % of the picture is missing, the rest is right");
+    image_free(&right);
+    image_free(&yours);
+}
+
+UNIT_MAIN(TEST(test_places), TEST(test_colors), TEST(test_background))

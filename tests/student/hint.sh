@@ -39,8 +39,7 @@ all_tasks() {
     echo "$hints" | cut -f 1 | uniq | tr '\n' ' ' | sed 's/ $//'
 }
 
-# Sets wrong to the tasks that the check calls wrong, a line each: for sure, then perhaps. Ends where
-# the lesson does not build.
+# Sets wrong to the task that the check puts first, if any. Ends where the lesson does not build.
 find_wrong() {
     wrong=
     [ -n "$make" ] && sh -c "$make '$build/check' models" >/dev/null 2>&1 || return
@@ -51,10 +50,7 @@ find_wrong() {
         exit 0
         ;;
     esac
-    tasks=$(echo "$said" | grep -E '^  (tasks|part .*):' | sed 's/.*://' | tr , '\n')
-    wrong=$(for doubt in '' ' perhaps'; do
-        echo "$tasks" | sed -nE "s/^ *([^ ]+)$doubt (FAIL|TIME|CRASH) .*/\\1/p"
-    done)
+    wrong=$(echo "$said" | sed -n 's/^  next: task //p')
 }
 
 # Sets task to the one that is meant, and others to the rest of those that are to do.

@@ -91,6 +91,47 @@ judge_figure() {
         finding STALE "$kept: make mistakes STEP=$(expr "$lesson" : 'step\([0-9]*\)')"
 }
 
+# In the whole lesson, the mistake takes no points from tasks of earlier parts, and no hint leads to
+# another task whose calls are right.
+judge_whole() {
+    case $task in -) return ;; esac
+    check
+    unfair=$(printf '%s\n' "$said" | awk -v task="$task" '
+        function part(name) { sub(/\..*/, "", name); return name }
+        function add(text) { found = found (found == "" ? "" : ", ") text }
+        {
+            count = split($0, rows, /; */)
+            for (i = 1; i <= count; i++) {
+                split(rows[i], word, " ")
+                right[word[2]] = right[word[2]] || (word[1] == "numbers" && word[3] == "PASS")
+            }
+            for (i = 1; i <= count; i++) {
+                if (match(rows[i], /^(next: task |make hint .* TASK=)[0-9a-z.]+/)) {
+                    name = substr(rows[i], RSTART, RLENGTH)
+                    sub(/.*[ =]/, "", name)
+                    if (name != task && right[name]) {
+                        add("a hint leads to task " name)
+                    }
+                } else if (rows[i] ~ /^(part [a-z]|tasks)[ :]/) {
+                    tasks = rows[i]
+                    sub(/^[^:]*: /, "", tasks)
+                    n = split(tasks, each, ", ")
+                    for (k = 1; k <= n; k++) {
+                        name = each[k]
+                        sub(/ .*/, "", name)
+                        most = each[k]
+                        sub(/.*\//, "", most)
+                        if (part(name) < part(task) && each[k] !~ (" " most "/" most "$")) {
+                            add("task " each[k])
+                        }
+                    }
+                }
+            }
+            print found
+        }')
+    [ -z "$unfair" ] || finding UNFAIR "task $task, but $unfair"
+}
+
 judge() {
     case $kind:$status:$said in
     mistake:1:BUILD*) finding ERROR "$said" ;;
@@ -100,6 +141,7 @@ judge() {
         numbers) judge_task ;; # the call that is wrong says what no name would
         *) judge_looks ;;
         esac
+        judge_whole
         ;;
     undone:1:TODO\ * | undone:1:BUILD*) ;; # everything that fails needs it, or nothing can be built
     starter:1:TODO\ 0/* | accept:0:* | solution:0:*' exact') ;; # as it should be

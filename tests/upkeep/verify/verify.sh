@@ -2,8 +2,9 @@
 # Does the check fail every mistake, and pass every correct program? For every lesson: the solution
 # must pass exactly, the starter must be to do, a solution in which one task is as in the starter must
 # fail nothing that does not need it, each mistake of stepNN_name/mistakes.txt must fail in
-# the scene that it names and look like itself there (tests/check/looks.h), and draw its lesson's
-# figure where it gives one; each program of tests/lessons/stepNN_name/alternatives.txt must pass, and the
+# the scene that it names and look like itself there (tests/check/looks.h), draw its lesson's figure
+# where it gives one, and in the whole lesson cost no earlier part a point and lead to no hint for a
+# task whose calls are right; each program of tests/lessons/stepNN_name/alternatives.txt must pass, and the
 # solution in each of the ways to build it of tests/lessons/builds.txt.
 #
 #   tests/upkeep/verify/verify.sh BUILD MAKE [STEP [PATTERN]]
