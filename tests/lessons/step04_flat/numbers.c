@@ -4,9 +4,9 @@
 #endif
 #include "numbers.h"
 
-/* In an image of 200 x 100. */
-static struct shown called_placed(struct vec3 a, struct vec3 b, struct vec3 c) {
-    const struct image image = {.width = 200, .height = 100};
+static struct shown called_placed(struct vec3 a, struct vec3 b, struct vec3 c, size_t width,
+                                  size_t height) {
+    const struct image image = {.width = width, .height = height};
     struct vec3 corners[3] = {a, b, c};
     const struct model model = one_face(corners);
     struct vertex v[3] = {{{0, 0}}};
@@ -21,10 +21,13 @@ static struct vertex called_on(int x, int y) {
     return (struct vertex){{x, y}};
 }
 
-static struct shown called_drawn(struct vertex a, struct vertex b, struct vertex c) {
-    struct image image = black_image(8, 8);
+/* In an image of that size: its pixels, and those of eight rows behind it. */
+static struct shown called_drawn(struct vertex a, struct vertex b, struct vertex c, size_t width,
+                                 size_t height) {
+    struct image sheet = black_image(width, height + 8), image = sheet;
+    image.height = height;
     triangle(&image, (struct vertex[3]){a, b, c}, rgb(255, 255, 255));
-    return show_pixels(&image);
+    return show_pixels(&sheet);
 }
 
 /* The grey of the text's face, moved and `size` times as large, in 255ths. */
@@ -37,28 +40,38 @@ static long called_grey(struct vec3 moved, double size, struct vec3 to_light) {
     return (long)floor(face_intensity(&model, 0, to_light) * 255 + 0.5);
 }
 
-#define PLACED(a, b, c, right)                                                                     \
-    TEXT("4.1", "place_face(" #a " " #b " " #c ", 200 x 100)", called_placed(xyz a, xyz b, xyz c), \
-         right)
-#define DRAWN(a, b, c, right)                                                                      \
-    TEXT("4.2", "triangle(image, " #a " " #b " " #c ", white)",                                    \
-         called_drawn(called_on a, called_on b, called_on c), right)
+#define PLACED(a, b, c, width, height, right)                                                      \
+    TEXT("4.1", "place_face(" #a " " #b " " #c ", " #width " x " #height ")",                      \
+         called_placed(xyz a, xyz b, xyz c, width, height), right)
+#define DRAWN(image, width, height, a, b, c, right)                                                \
+    TEXT("4.2", "triangle(" image ", " #a " " #b " " #c ", white)",                                \
+         called_drawn(called_on a, called_on b, called_on c, width, height), right)
 #define GREY(face, moved, size, to_light, right)                                                   \
     AS_WHOLE("4.3", "255 * face_intensity(" face ", l " #to_light ")",                             \
              called_grey(xyz moved, size, xyz to_light), right)
 
 static void numbers(void) {
-    PLACED((0, 0, 0), (0.5, 0, 0), (0, 0.5, 0.3), "(25600,12800) (38400,12800) (25600,19200)");
-    PLACED((-1, -1, 0), (3, -1, 0), (-1, 2, 0), "(0,0) (102400,0) (0,38400)");
-    PLACED((1e9, 0, 0), (0.5, 0, 0), (0, 0.5, 0), "false");
-    PLACED((0, 0, 0), (0.5, 0, 0), (0, -1e9, 0), "false");
-    DRAWN((256, 256), (1280, 256), (256, 1024), "(1,1) (2,1) (3,1) (1,2) (2,2) (1,3)");
-    DRAWN((256, 256), (256, 1024), (1280, 256), "(1,1) (2,1) (3,1) (1,2) (2,2) (1,3)");
-    DRAWN((256, 256), (512, 256), (768, 256), "none");
+    PLACED((0, 0, 0), (0.5, 0, 0), (0, 0.5, 0.3), 200, 100,
+           "(25600,12800) (38400,12800) (25600,19200)");
+    PLACED((-1, -1, 0), (3, -1, 0), (-1, 2, 0), 200, 100, "(0,0) (102400,0) (0,38400)");
+    PLACED((0, 0, 0), (0.5, 0, 0), (0, 0.5, 0.3), 201, 67,
+           "(25728,8576) (38592,8576) (25728,12864)");
+    PLACED((1e9, 0, 0), (0.5, 0, 0), (0, 0.5, 0), 200, 100, "false");
+    PLACED((0, 0, 0), (0.5, 0, 0), (0, -1e9, 0), 200, 100, "false");
+    DRAWN("image", 8, 8, (256, 256), (1280, 256), (256, 1024),
+          "(1,1) (2,1) (3,1) (1,2) (2,2) (1,3)");
+    DRAWN("image", 8, 8, (256, 256), (256, 1024), (1280, 256),
+          "(1,1) (2,1) (3,1) (1,2) (2,2) (1,3)");
+    DRAWN("image", 8, 8, (256, 256), (512, 256), (768, 256), "none");
+    DRAWN("image of 5 x 3", 5, 3, (-512, -512), (5120, -512), (-512, 5120),
+          "(0,0) (1,0) (2,0) (3,0) (4,0) (0,1) (1,1) (2,1) (3,1) (4,1) (0,2) (1,2) (2,2) (3,2) "
+          "(4,2)");
+    DRAWN("image", 8, 8, (992, 272), (1520, 1216), (1552, 1984), "(4,2) (5,4) (5,5)");
     GREY("(0, 0, 0) (2, 0, 1) (0, 1, 1)", (0, 0, 0), 1, (0, 0, 1), 170);
     GREY("(3, 4, 5) (5, 4, 6) (3, 5, 6)", (3, 4, 5), 1, (0, 0, 1), 170);
     GREY("(0, 0, 0) (2, 0, 1) (0, 1, 1)", (0, 0, 0), 1, (-0.6, 0, 0.8), 187);
     GREY("(0, 0, 0) (2, 0, 1) (0, 1, 1)", (0, 0, 0), 1, (0, -0.6, 0.8), 238);
+    GREY("(0, 0, 0) (2, 0, 1) (0, 1, 1)", (0, 0, 0), 1, (-0.48, 0.6, 0.64), 48);
     GREY("(0, 0, 0) (2, 0, 1) (0, 1, 1)", (0, 0, 0), 1, (0, 0, -1), -170);
     GREY("a thousandth of that face", (0, 0, 0), 0.001, (0, 0, 1), 170);
 }

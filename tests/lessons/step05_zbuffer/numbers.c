@@ -53,24 +53,65 @@ static struct shown called_row(const struct vec2 *ends, int count, bool depths) 
 /* ---- Triangles ---- */
 
 /* Lesson 3's example, whose corners lie on centres of pixels, with depths. */
-static void called_draw_example(int red) {
-    const struct vertex v[3] = {{{384, 384}, 0.6}, {{1408, 384}, 0}, {{384, 1152}, -0.3}};
+static void called_draw_example(int red, double nearer) {
+    const struct vertex v[3] = {
+        {{384, 384}, nearer + 0.6}, {{1408, 384}, nearer}, {{384, 1152}, nearer - 0.3}};
     triangle(&called_canvas, v, rgb(red, 0, 0));
 }
 
-/* Pixel (2,2) where that depth is before: "color 1, depth 0.15". */
-static struct shown called_drawn_over(double depth) {
+/* Pixel (2,2) where that depth is before: "color 1, depth 0.15"; or `nearer` by so much. */
+static struct shown called_drawn_over(double depth, double nearer) {
     called_begin(CALLED_SIDE, CALLED_SIDE, depth);
-    called_draw_example(1);
+    called_draw_example(1, nearer);
     return show("color %d, depth %.5g", image_get(&called_sheet, 2, 2).r,
                 called_depths[2 * CALLED_SIDE + 2]);
 }
 
 static int called_drawn_twice(void) {
     called_begin(CALLED_SIDE, CALLED_SIDE, -INFINITY);
-    called_draw_example(1);
-    called_draw_example(2);
+    called_draw_example(1, 0);
+    called_draw_example(2, 0);
     return image_get(&called_sheet, 2, 2).r;
+}
+
+/* A triangle with six pixels, and that depth at all corners. */
+static void called_draw_six(int red, double depth) {
+    const struct vertex v[3] = {{{256, 256}, depth}, {{1280, 256}, depth}, {{256, 1024}, depth}};
+    triangle(&called_canvas, v, rgb(red, 0, 0));
+}
+
+/* The same in color 1 and again in 2: how many pixels show either. */
+static struct shown called_six_twice(void) {
+    int count[256] = {0};
+    called_begin(CALLED_SIDE, CALLED_SIDE, -INFINITY);
+    called_draw_six(1, 0.7);
+    called_draw_six(2, 0.7);
+    for (int i = 0; i < CALLED_SIDE * CALLED_SIDE; i++) {
+        count[image_get(&called_sheet, i % CALLED_SIDE, i / CALLED_SIDE).r]++;
+    }
+    return show("%d in 1, %d in 2", count[1], count[2]);
+}
+
+static struct shown called_counted(void) {
+    (void)called_six_twice();
+    return show("%llu, %llu", (unsigned long long)called_canvas.pixels_tested,
+                (unsigned long long)called_canvas.pixels_written);
+}
+
+/* The depths of 5 x 3 pixels under a triangle that is larger, row by row from the bottom. */
+static struct shown called_wide(void) {
+    const struct vertex v[3] = {{{-384, -384}, -21}, {{4736, -384}, -1}, {{-384, 4736}, 179}};
+    struct shown shown = {""};
+    called_begin(5, 3, -INFINITY);
+    triangle(&called_canvas, v, rgb(1, 0, 0));
+    for (int i = 0; i < 16; i++) {
+        shown = show("%.180s%s%.5g", shown.text,
+                     i == 0    ? ""
+                     : i == 15 ? ", behind "
+                               : " ",
+                     called_depths[i]);
+    }
+    return shown;
 }
 
 /* How many different depths are there inside a triangle with this depth at all corners? */
@@ -103,6 +144,8 @@ static struct shown called_greys(double a, double b, double c, double d, double 
 static void numbers(void) {
     const double none = -INFINITY;
     const struct vec2 rising[] = {{1.75, 10}, {5.75, 50}}, falling[] = {{-1.5, 5}, {14.5, -11}};
+    const struct vec2 as_near[] = {{0.5, 0.7}, {4.5, 0.7}, {0.5, 0.7}, {6.5, 0.7}};
+    const struct vec2 below_0[] = {{0.5, -3}, {4.5, -3}, {0.5, -5}, {6.5, -5}};
     const struct vec2 two[] = {{0.5, 30}, {4.5, 10}, {-1.5, 20}, {6.5, 20}};
     TEXT("5.1", "draw_segment() from (20.5, 34) to (744.5, 400): depth of column 480",
          called_depth_at(xy(20.5, 34), xy(744.5, 400), CALLED_LONG_ROW, 480), "266.54");
@@ -120,20 +163,39 @@ static void numbers(void) {
          "draw_segment() in 1 from (0.5, 30) to (4.5, 10), in 2 from (-1.5, 20) to (6.5, 20): "
          "depths",
          called_row(two, 2, true), "30 25 20 20 20 20 -inf -inf");
-    TEXT("5.2", "triangle() in color 1 over depth 0.1: pixel (2,2)", called_drawn_over(0.1),
+    TEXT("5.1",
+         "draw_segment() in 1 from (0.5, 0.7) to (4.5, 0.7), in 2 as near, to (6.5, 0.7): colors",
+         called_row(as_near, 2, false), "1 1 1 1 2 2 0 0");
+    TEXT(
+        "5.1",
+        "draw_segment() in 1 from (0.5, -3) to (4.5, -3), in 2 from (0.5, -5) to (6.5, -5): colors",
+        called_row(below_0, 2, false), "1 1 1 1 2 2 0 0");
+    TEXT("5.2", "triangle() in color 1 over depth 0.1: pixel (2,2)", called_drawn_over(0.1, 0),
          "color 1, depth 0.15");
-    TEXT("5.2", "triangle() in color 1 over depth 0.2: pixel (2,2)", called_drawn_over(0.2),
+    TEXT("5.2", "triangle() in color 1 over depth 0.2: pixel (2,2)", called_drawn_over(0.2, 0),
          "color 0, depth 0.2");
+    TEXT("5.2", "triangle() in color 1 over depth 0.1499995: pixel (2,2)",
+         called_drawn_over(0.1499995, 0), "color 1, depth 0.15");
+    TEXT("5.2", "triangle() in color 1, 600 farther, over depth -inf: pixel (2,2)",
+         called_drawn_over(none, -600), "color 1, depth -599.85");
+    TEXT("5.2", "triangle() in color 1, 600 nearer, over depth 500: pixel (2,2)",
+         called_drawn_over(500, 600), "color 1, depth 600.15");
     AS_WHOLE("5.2", "triangle() in color 1, again in 2: color of pixel (2,2)", called_drawn_twice(),
              1);
+    TEXT("5.2", "triangle() with depth 0.7 at all corners in color 1, again in 2: pixels",
+         called_six_twice(), "6 in 1, 0 in 2");
+    TEXT("5.2", "triangle() with 6 pixels, and again: pixels_tested, pixels_written",
+         called_counted(), "12, 6");
+    TEXT("5.2", "triangle() over all of 5 x 3 pixels: their depths", called_wide(),
+         "1 2 3 4 5 11 12 13 14 15 21 22 23 24 25, behind -inf");
     AS_WHOLE("5.2", "triangle() with depth 0.25 at all corners: different depths",
              called_depths_inside(0.25), 1);
     TEXT("5.3", "show_depths() of -0.238 0.566 0.2 -inf 0 0",
          called_greys(-0.238, 0.566, 0.2, none, 0, 0), "55 255 164 0 114 114");
     TEXT("5.3", "show_depths() of 7 7 7 -inf 7 7", called_greys(7, 7, 7, none, 7, 7),
          "55 55 55 0 55 55");
-    TEXT("5.3", "show_depths() of -7e9 -8e9 -9e9 -9e9 -9e9 -9e9",
-         called_greys(-7e9, -8e9, -9e9, -9e9, -9e9, -9e9), "255 155 55 55 55 55");
+    TEXT("5.3", "show_depths() of -7e9 -8e9 -8e9 -8e9 -8e9 -9e9",
+         called_greys(-7e9, -8e9, -8e9, -8e9, -8e9, -9e9), "255 155 155 155 155 55");
     TEXT("5.3", "show_depths() of -inf 0 1e-12 2e-12 0 0",
          called_greys(none, 0, 1e-12, 2e-12, 0, 0), "0 55 155 255 55 55");
 }

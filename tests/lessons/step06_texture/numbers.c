@@ -32,37 +32,79 @@ static struct color called_drawing(int x, int y) {
         .r = (uint8_t)red[x], .g = (uint8_t)(100 * y), .b = 7, .a = (uint8_t)(255 - 200 * y)};
 }
 
-/* 250 is in the middle of 4 x 4 texels, so that it does not matter how a texture is turned. */
+/* Only in the middle of the last column is 250 red, 150 green and 50 blue. */
+enum { CALLED_COLUMNS = 200 };
 static struct color called_framed(int x, int y) {
-    return color_grey(x % 3 > 0 && y % 3 > 0 ? 250 : 10);
+    return x == CALLED_COLUMNS - 1 && y % 3 > 0 ? rgb(250, 150, 50) : rgb(10, 20, 30);
 }
 
-/* Levels 0, 1 and 2 are grey 0, 100 and 200. */
-static struct texture called_greys(void) {
-    struct texture texture = called_made(4, 4, called_framed);
+/* Levels 0, 1 and 2 are 0,0,200, then 100,20,100, then 200,40,0. */
+static struct texture called_levels(void) {
+    struct texture texture = called_made(4, 4, called_numbered);
     for (uint32_t i = 0; i < texture.level_count; i++) {
         for (size_t k = 0; k < texture.level[i].pitch * texture.level[i].height; k++) {
-            texture.level[i].texels[k] = 0xff000000 | 0x646464 * i;
+            texture.level[i].texels[k] = 0xff0000c8 + 0x641400 * i - 100 * i;
         }
     }
     return texture;
 }
 
 /* Lesson 3's example, whose corners lie on centres of pixels: at pixel (2,2) the weights are 5/12,
- * 3/12 and 4/12. Its place in the texture is (0.45, 0.45); with other weights it is not `inner`. */
-static int called_drawn(const struct texture *texture, double intensity, double depth) {
-    const struct vertex v[3] = {
-        {{384, 384}, 0.6, {0, 3}},
-        {{1408, 384}, 0, {3, 0}},
-        {{384, 1152}, -0.3, {-0.9, -2.4}},
-    };
-    struct canvas canvas = {.image = &called_sheet, .depth = called_depths, .skip = true};
+ * 3/12 and 4/12. Its place in the texture is this one; with other weights it is not 250 there. */
+static const struct vec2 called_place = {0.9975, 0.45};
+static struct canvas called_canvas;
+
+static void called_begin(double depth) {
+    called_canvas = (struct canvas){
+        .image = &called_sheet, .depth = called_depths, .sampler = SAMPLE_TRILINEAR, .skip = true};
     memset(called_bytes, 0, sizeof called_bytes);
     for (int i = 0; i < CALLED_SIDE * CALLED_SIDE; i++) {
         called_depths[i] = depth;
     }
-    triangle(&canvas, v, texture, intensity);
-    return image_get(&called_sheet, 2, 2).r;
+}
+
+static void called_draw(const struct texture *texture, double intensity) {
+    const struct vertex v[3] = {
+        {{384, 384}, 0.6, {0, 3}},
+        {{1408, 384}, 0, {3, 0}},
+        {{384, 1152}, -0.3, {0.7425, -2.4}},
+    };
+    triangle(&called_canvas, v, texture, intensity);
+}
+
+/* Pixel (2,2) of it where that depth is before: its red. */
+static struct shown called_drawn(const struct texture *texture, double intensity, double depth) {
+    called_begin(depth);
+    called_draw(texture, intensity);
+    return show("%d", image_get(&called_sheet, 2, 2).r);
+}
+
+/* The same red by your sample_nearest() of that place. */
+static struct shown called_own(const struct texture *texture, double intensity) {
+    return show("%d", level_from(sample_nearest(texture, called_place).r * intensity));
+}
+
+/* Pixel (2,2) of two, the second one darker and as near. */
+static struct shown called_drawn_twice(const struct texture *texture) {
+    called_begin(-1);
+    called_draw(texture, 1);
+    called_draw(texture, 0.2);
+    return show_color(image_get(&called_sheet, 2, 2));
+}
+
+/* The pixels at which a triangle stores its depth, whatever colour they have. */
+static struct shown called_pixels(const struct texture *texture) {
+    const struct vertex v[3] = {{.position = {256, 256}}, {{1280, 256}}, {{256, 1024}}};
+    struct shown shown = {""};
+    called_begin(-1);
+    triangle(&called_canvas, v, texture, 1);
+    for (int i = 0; i < CALLED_SIDE * CALLED_SIDE; i++) {
+        if (called_depths[i] != -1) {
+            shown = show("%.150s%s(%d,%d)", shown.text, shown.text[0] != '\0' ? " " : "",
+                         i % CALLED_SIDE, i / CALLED_SIDE);
+        }
+    }
+    return shown;
 }
 
 /* ---- Perspective ---- */
@@ -84,23 +126,95 @@ static struct vec3 called_corner(int i) {
     return called_begun(4, 4, xyz(0, 3, 1), xyz(1, 3, 0.25), xyz(-3, 2, 0.5)).corner[i];
 }
 
-/* u, v and w in the middle between two corners, whose quotients are given. */
-static struct vec3 called_middle(int x, int y) {
-    struct quotients plane = {
-        .corner = {{0, 3, 1}, {0.25, 0.75, 0.25}, {-1.5, 1, 0.5}},
-    };
-    double w = 0;
+/* A triangle with a corner at pixel (0,0) that has these quotients there, and gains so much in a
+ * step. */
+static struct quotients called_plane(struct vec3 there, struct vec3 right, struct vec3 up) {
+    struct quotients plane = {.right = right, .up = up};
+    plane.corner[0] = there;
+    plane.corner[1] = vec3_add(there, vec3_scale(right, 4));
+    plane.corner[2] = vec3_add(there, vec3_scale(up, 4));
     edges_setup(&plane.edges, (struct fixed2){128, 128}, (struct fixed2){1152, 128},
                 (struct fixed2){128, 1152}, CALLED_SIDE, CALLED_SIDE);
+    return plane;
+}
+
+/* u, v and w in the middle between two corners, whose quotients are given. */
+static struct vec3 called_middle(int x, int y) {
+    const struct quotients plane =
+        called_plane(xyz(0, 3, 1), xyz(0.0625, -0.5625, -0.1875), xyz(-0.375, -0.5, -0.125));
+    double w = 0;
     struct vec2 uv = plane_uv(&plane, x, y, &w);
     return xyz(uv.x, uv.y, w);
 }
+
+/* A plane whose pixel (0,0) shows (1000.25, -600.5) at w = 2. In a texture of 4 x 4 texels the steps
+ * are `right` texels to the right and `up` texels up, along both u and v. The picture begins
+ * again there: a step from a repeated place is another one. */
+static struct quotients called_steps(double right, double up) {
+    const double gain = 1 / 4096.0, u = 1000.25, v = -600.5;
+    return called_plane(xyz(u / 2, v / 2, 0.5),
+                        xyz(right / 8 + u * gain, right / 8 + v * gain, gain),
+                        xyz(up / 8 + u * gain, up / 8 + v * gain, gain));
+}
+
+static struct color called_color(const struct quotients *plane, const struct texture *texture) {
+    called_begin(-1);
+    return color_at(&called_canvas, plane, 0, 0, texture);
+}
+
+/* The same by your functions that it calls. */
+static struct color called_own_color(const struct quotients *plane, const struct texture *texture) {
+    double w;
+    struct vec2 uv = plane_uv(plane, 0, 0, &w);
+    double level = mip_level(uv_step(plane->right, uv, w), uv_step(plane->up, uv, w), texture);
+    struct vec4 c = sample_trilinear(texture, uv, level);
+    return color_rgb(level_from(c.x), level_from(c.y), level_from(c.z));
+}
+
+/* ---- Mixed by what another task finds ---- */
+
+static struct shown called_bilinear(const struct texture *texture, struct vec2 uv) {
+    const struct vec4 c = sample_bilinear(texture, uv, 0);
+    return show_reals((const double[]){c.x, c.y, c.z, c.w}, 4);
+}
+
+static struct shown called_trilinear(const struct texture *texture, double level) {
+    return show("%.4g", sample_trilinear(texture, xy(0.5, 0.5), level).x);
+}
+
+/* The same of what your sample_bilinear() finds on two levels. */
+static struct shown called_own_trilinear(const struct texture *texture, size_t finer,
+                                         size_t coarser, double part) {
+    const double a = sample_bilinear(texture, xy(0.5, 0.5), finer).x;
+    return show("%.4g", a + part * (sample_bilinear(texture, xy(0.5, 0.5), coarser).x - a));
+}
+
+/* With a repeat() that does not leave this place alone, whatever comes is right. */
+#define REPEATED(u, v, right)                                                                      \
+    TEXT_WITH("6c.1", "sample_bilinear(repeated, (" #u ", " #v "), 0)",                            \
+              called_bilinear(repeated, xy(u, v)), right,                                          \
+              is_near(repeat(xy(u, v)).x, u) && is_near(repeat(xy(u, v)).y, v) ? show("") : yours)
+#define TRILINEAR(level, finer, coarser, part, right)                                              \
+    TEXT_WITH("6d.1", "sample_trilinear(texture, (0.5, 0.5), " #level ").x",                       \
+              called_trilinear(texture, level), right,                                             \
+              called_own_trilinear(texture, finer, coarser, part))
+#define TEXTURED(intensity, depth, right)                                                          \
+    TEXT_WITH("6a.2+6a.1", "triangle(), texel 250, intensity " #intensity ": pixel (2,2)",         \
+              called_drawn(&framed, intensity, depth), right, called_own(&framed, intensity))
+#define AT_LEVEL(name, right_step, up_step, right)                                                 \
+    do {                                                                                           \
+        const struct quotients plane = called_steps(right_step, up_step);                          \
+        TEXT_WITH("6e.3+6b.3,6c.1,6d.1,6e.1,6e.2", "color_at() at " name,                          \
+                  show_color(called_color(&plane, texture)), right,                                \
+                  show_color(called_own_color(&plane, texture)));                                  \
+    } while (0)
 
 static void numbers(void) {
     struct texture four = called_made(4, 3, called_numbered),
                    two = called_made(4, 2, called_drawing),
                    wide = called_made(16, 8, called_numbered);
-    struct texture levels = called_greys(), inner = called_made(4, 4, called_framed);
+    struct texture levels = called_levels(), small = called_made(4, 2, called_drawing),
+                   framed = called_made(CALLED_COLUMNS, 4, called_framed);
     struct texture drawn_again = two;
     texture_set_clamp(&four, true);
     texture_set_clamp(&two, true);
@@ -109,11 +223,14 @@ static void numbers(void) {
     COLOR("6a.1", sample_nearest(texture, xy(0.75, 0.5)), rgb(30, 10, 250));
     COLOR("6a.1", sample_nearest(texture, xy(1, 1)), rgb(30, 20, 250));
     COLOR("6a.1", sample_nearest(texture, xy(-0.2, 1e12)), rgb(0, 20, 250));
-    AS_WHOLE("6a.2", "triangle(), texel 250, intensity 0.5: pixel (2,2)",
-             called_drawn(&inner, 0.5, -1), 125);
-    AS_WHOLE("6a.2", "triangle(), texel 250, intensity 0.925: pixel (2,2)",
-             called_drawn(&inner, 0.925, 0.1), 231);
-    AS_WHOLE("6a.2", "triangle(), behind depth 0.2: pixel (2,2)", called_drawn(&inner, 1, 0.2), 0);
+    TEXTURED(0.5, -1, "125");
+    TEXTURED(0.925, 0.1, "231");
+    TEXT("6a.2", "triangle(), behind depth 0.2: pixel (2,2)", called_drawn(&framed, 1, 0.2), "0");
+    TEXT_WITH("6a.2+6a.1", "triangle(), texel 250,150,50, and again, darker: pixel (2,2)",
+              called_drawn_twice(&framed), "250,150,50",
+              show_color(sample_nearest(&framed, called_place)));
+    TEXT("6a.2", "triangle() at (256, 256) (1280, 256) (256, 1024): depths stored",
+         called_pixels(&framed), "(1,1) (2,1) (3,1) (1,2) (2,2) (1,3)");
     VECTOR("6b.1", vec2, repeat(xy(0.3, 1.3)), xy(0.3, 0.3));
     VECTOR("6b.1", vec2, repeat(xy(-0.7, -1)), xy(0.3, 0));
     VECTOR("6b.1", vec2, repeat(xy(2, -2.25)), xy(0, 0.75));
@@ -127,16 +244,17 @@ static void numbers(void) {
               called_middle(0, 2), xyz(-1, 8 / 3.0, 4 / 3.0));
     texture = &two;
     VECTOR("6c.1", vec4, sample_bilinear(texture, xy(0.45, 0.5), 0), xyzw(130, 50, 7, 155));
+    VECTOR("6c.1", vec4, sample_bilinear(texture, xy(0.45, 0.3), 0), xyzw(130, 10, 7, 235));
     VECTOR("6c.1", vec4, sample_bilinear(texture, xy(0, 0), 0), xyzw(0, 0, 7, 255));
     VECTOR("6c.1", vec4, sample_bilinear(texture, xy(0.5, 1.5), 0), xyzw(150, 100, 7, 55));
     VECTOR("6c.1", vec4, sample_bilinear(texture, xy(0.5, 0.5), 1), xyzw(100, 50, 7, 155));
-    VECTOR("6c.1", vec4, sample_bilinear(repeated, xy(0.95, 0.5), 0), xyzw(70, 50, 7, 155));
-    VECTOR("6c.1", vec4, sample_bilinear(repeated, xy(0, 0), 0), xyzw(50, 50, 7, 155));
+    REPEATED(0.95, 0.5, "(70, 50, 7, 155)");
+    REPEATED(0, 0, "(50, 50, 7, 155)");
     texture = &levels;
-    REAL("6d.1", sample_trilinear(texture, xy(0.5, 0.5), 0.25).x, 25);
-    REAL("6d.1", sample_trilinear(texture, xy(0.5, 0.5), 1.5).x, 150);
-    REAL("6d.1", sample_trilinear(texture, xy(0.5, 0.5), -1).x, 0);
-    REAL("6d.1", sample_trilinear(texture, xy(0.5, 0.5), 7).x, 200);
+    TRILINEAR(0.25, 0, 1, 0.25, "25");
+    TRILINEAR(1.5, 1, 2, 0.5, "150");
+    TRILINEAR(-1, 0, 0, 0, "0");
+    TRILINEAR(7, 2, 2, 0, "200");
     VECTOR("6e.1", vec2, uv_step(xyz(0.5, 0.25, -0.125), xy(2, -1), 2), xy(1.5, 0.25));
     VECTOR("6e.1", vec2, uv_step(xyz(1, 0, 0), xy(5, 5), 3), xy(3, 0));
     AS_VECTOR("6e.1", "plane_begin(), 4 x 2 pixels: right", vec3,
@@ -150,4 +268,11 @@ static void numbers(void) {
     REAL("6e.2", mip_level(xy(0.25, 0), xy(0, 1), texture), 3);
     REAL("6e.2", mip_level(xy(0.01, 0), xy(0, 0.01), texture), 0);
     REAL("6e.2", mip_level(xy(0, 9), xy(1, 0), texture), 4);
+    texture = &small;
+    TEXT("6e.2", "mip_level((0, 9), (1, 0), texture of 4 x 2 texels)",
+         show("%.5g", mip_level(xy(0, 9), xy(1, 0), texture)), "2");
+    texture = &levels;
+    AT_LEVEL("level 0.5, by the step up: from 0,0,200 to 100,20,100", 0.25, 1, "50,10,150");
+    AT_LEVEL("level 0.5, by the step right: from 0,0,200 to 100,20,100", 1, 0.25, "50,10,150");
+    AT_LEVEL("level 0, by both steps: 0,0,200", 0.25, 0.25, "0,0,200");
 }
