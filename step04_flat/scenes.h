@@ -6,7 +6,8 @@
  * three reach too far for the screen, and nothing of them is drawn; four leave the image, one looks
  * away and is lit from behind, and many are smaller than a pixel. Faces on which no light falls are
  * not drawn. With the light in the viewer's direction these are the faces that show their backs;
- * what lies behind something else is still painted over it: that is lesson 5.
+ * what lies behind something else is still painted over it: that is lesson 5. `wide` and `high` draw
+ * models in images of other shapes, `small` and `one_pixel` faces that cover all of theirs.
  */
 
 #include "attempts.h"
@@ -124,6 +125,17 @@ static bool draw_side(struct drawing *drawing, struct image *image, struct error
                                          draw_tiny_faces(drawing, &rows, error)));
 }
 
+/* Three faces of a tent that is larger than the image. */
+static bool draw_tent(struct drawing *drawing, struct image *image, struct error *error) {
+    const struct vec3 a = {-5, -4, 0}, b = {4, -5, 0}, c = {1, 6, 0}, top = {0.2, 0.1, 4};
+    struct vec3 corners[][3] = {{a, b, top}, {b, c, top}, {c, a, top}};
+    bool done = true;
+    for (size_t i = 0; done && i < sizeof corners / sizeof corners[0]; i++) {
+        done = draw_face(drawing, image, corners[i], error);
+    }
+    return done;
+}
+
 static const struct scene scenes[] = {
     {.name = "flat", .needs = NEEDS_MODEL, .values = flat_values, .draw = draw_flat},
     {.name = "side",
@@ -133,6 +145,32 @@ static const struct scene scenes[] = {
      .light = {0.4, -0.25, -1},
      .values = flat_values,
      .draw = draw_side},
+    /* Not square, and odd: a square or a large picture hides some mistakes. */
+    {.name = "wide",
+     .detail = true,
+     .needs = NEEDS_MODEL,
+     .width = 203,
+     .height = 67,
+     .draw = draw_flat},
+    {.name = "high",
+     .detail = true,
+     .needs = NEEDS_MODEL,
+     .model = "knot.off",
+     .width = 61,
+     .height = 181,
+     .draw = draw_flat},
+    {.name = "small",
+     .detail = true,
+     .needs = NEEDS_MODEL,
+     .width = 23,
+     .height = 13,
+     .draw = draw_tent},
+    {.name = "one_pixel",
+     .detail = true,
+     .needs = NEEDS_MODEL,
+     .width = 1,
+     .height = 1,
+     .draw = draw_tent},
 };
 
 static const struct program step04_flat = {

@@ -6,7 +6,8 @@
  * `depth` shows its depths, `deep` the same ones far away below and very near above; `knot` is a
  * body that winds around itself. In `side` the light comes from the side, and falls on faces that
  * look away from us too. The cards of `cards` lie almost, or exactly, in one plane, or far apart;
- * `single` shows the depths of two cards, which are all the same.
+ * `single` shows the depths of two cards, which are all the same. `wide`, `high`, `small` and
+ * `one_pixel` draw the same in images of other shapes.
  */
 #include <stdlib.h>
 
@@ -392,6 +393,45 @@ static const struct scene scenes[] = {
         .needs = NEEDS_DEPTH,
         .width = 125,
         .height = 80,
+        .format = IMAGE_GREY,
+        .draw = draw_single,
+    },
+    /* Not square, and odd: a square or a large picture hides some mistakes. */
+    {
+        .name = "wide",
+        .detail = true,
+        .needs = NEEDS_MODEL | NEEDS_DEPTH,
+        .width = 203,
+        .height = 67,
+        .values = model_values,
+        .draw = draw_zbuffer,
+    },
+    {
+        .name = "high",
+        .detail = true,
+        .needs = NEEDS_MODEL | NEEDS_DEPTH,
+        .model = "knot.off",
+        .width = 61,
+        .height = 181,
+        .format = IMAGE_GREY,
+        .values = model_values,
+        .draw = draw_depth,
+    },
+    {
+        .name = "small",
+        .detail = true,
+        .needs = NEEDS_DEPTH,
+        .width = 23,
+        .height = 13,
+        .values = cards_values,
+        .draw = draw_cards,
+    },
+    {
+        .name = "one_pixel",
+        .detail = true,
+        .needs = NEEDS_DEPTH,
+        .width = 1,
+        .height = 1,
         .format = IMAGE_GREY,
         .draw = draw_single,
     },

@@ -8,7 +8,8 @@
  * nearest texel; the wall at the back has a smaller picture. A chart shows how whole numbers
  * repeat. `close` is a wall right before the camera, bilinear. `softer` shows the mip levels of
  * that picture, and what is between them. `mipmapped` is the room with a mip level for every pixel,
- * and `checker` is a plane of tiles towards the horizon, with mip levels, too.
+ * and `checker` is a plane of tiles towards the horizon, with mip levels, too. `wide` and `high`
+ * draw the same in images of other shapes, `small` and `one_pixel` a board that covers all of theirs.
  */
 
 /* ---- Scene: texture ---- */
@@ -211,6 +212,19 @@ static void draw_board(struct canvas *canvas, const struct board *board, struct 
     }
     triangle(canvas, (struct vertex[]){v[0], v[1], v[2]}, texture, intensity);
     triangle(canvas, (struct vertex[]){v[0], v[2], v[3]}, texture, intensity);
+}
+
+/* Larger than the image on all sides, which shows nearly all of its picture. */
+static const struct board covering_board = {{{-0.4, -0.7}, {1.6, -0.3}, {1.4, 1.8}, {-0.3, 1.4}},
+                                            {{-0.3, -0.4}, {1.5, -0.2}, {1.4, 1.5}, {-0.2, 1.3}}};
+
+static bool draw_covered(struct drawing *drawing, struct image *image, struct error *error) {
+    (void)error;
+    const struct texture *picture = ((struct state *)drawing->state)->picture;
+    const struct vec2 size = {(double)image->width, (double)image->height};
+    struct canvas canvas = {.image = image, .depth = drawing->depth, .skip = drawing->skip};
+    draw_board(&canvas, &covering_board, size, &picture[MOSAIC], 1);
+    return true;
 }
 
 static bool draw_letters(struct drawing *drawing, struct image *image, struct error *error) {
@@ -638,6 +652,39 @@ static const struct scene scenes[] = {
         .draw = draw_mipmapped,
     },
     {.name = "checker", .values = trilinear_values, .draw = draw_checker},
+    /* Not square, and odd: a square or a large picture hides some mistakes. */
+    {
+        .name = "wide",
+        .detail = true,
+        .needs = NEEDS_MODEL | NEEDS_DIFFUSE | NEEDS_DEPTH,
+        .width = 203,
+        .height = 67,
+        .draw = draw_texture,
+    },
+    {
+        .name = "high",
+        .detail = true,
+        .width = 61,
+        .height = 181,
+        .values = trilinear_values,
+        .draw = draw_mipmapped,
+    },
+    {
+        .name = "small",
+        .detail = true,
+        .needs = NEEDS_DEPTH,
+        .width = 23,
+        .height = 13,
+        .draw = draw_covered,
+    },
+    {
+        .name = "one_pixel",
+        .detail = true,
+        .needs = NEEDS_DEPTH,
+        .width = 1,
+        .height = 1,
+        .draw = draw_covered,
+    },
 };
 
 static const struct program step06_texture = {
