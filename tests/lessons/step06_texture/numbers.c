@@ -38,12 +38,12 @@ static struct color called_framed(int x, int y) {
     return x == CALLED_COLUMNS - 1 && y % 3 > 0 ? rgb(250, 150, 50) : rgb(10, 20, 30);
 }
 
-/* Levels 0, 1 and 2 are 0,0,200, then 100,20,100, then 200,40,0. */
+/* Levels 0, 1 and 2 are 40,0,200, then 140,20,100, then 240,40,0. */
 static struct texture called_levels(void) {
     struct texture texture = called_made(4, 4, called_numbered);
     for (uint32_t i = 0; i < texture.level_count; i++) {
         for (size_t k = 0; k < texture.level[i].pitch * texture.level[i].height; k++) {
-            texture.level[i].texels[k] = 0xff0000c8 + 0x641400 * i - 100 * i;
+            texture.level[i].texels[k] = 0xff2800c8 + 0x641400 * i - 100 * i;
         }
     }
     return texture;
@@ -251,10 +251,10 @@ static void numbers(void) {
     REPEATED(0.95, 0.5, "(70, 50, 7, 155)");
     REPEATED(0, 0, "(50, 50, 7, 155)");
     texture = &levels;
-    TRILINEAR(0.25, 0, 1, 0.25, "25");
-    TRILINEAR(1.5, 1, 2, 0.5, "150");
-    TRILINEAR(-1, 0, 0, 0, "0");
-    TRILINEAR(7, 2, 2, 0, "200");
+    TRILINEAR(0.25, 0, 1, 0.25, "65");
+    TRILINEAR(1.5, 1, 2, 0.5, "190");
+    TRILINEAR(-1, 0, 0, 0, "40");
+    TRILINEAR(7, 2, 2, 0, "240");
     VECTOR("6e.1", vec2, uv_step(xyz(0.5, 0.25, -0.125), xy(2, -1), 2), xy(1.5, 0.25));
     VECTOR("6e.1", vec2, uv_step(xyz(1, 0, 0), xy(5, 5), 3), xy(3, 0));
     AS_VECTOR("6e.1", "plane_begin(), 4 x 2 pixels: right", vec3,
@@ -272,7 +272,7 @@ static void numbers(void) {
     TEXT("6e.2", "mip_level((0, 9), (1, 0), texture of 4 x 2 texels)",
          show("%.5g", mip_level(xy(0, 9), xy(1, 0), texture)), "2");
     texture = &levels;
-    AT_LEVEL("level 0.5, by the step up: from 0,0,200 to 100,20,100", 0.25, 1, "50,10,150");
-    AT_LEVEL("level 0.5, by the step right: from 0,0,200 to 100,20,100", 1, 0.25, "50,10,150");
-    AT_LEVEL("level 0, by both steps: 0,0,200", 0.25, 0.25, "0,0,200");
+    AT_LEVEL("level 0.5, by the step up: from 40,0,200 to 140,20,100", 0.25, 1, "90,10,150");
+    AT_LEVEL("level 0.5, by the step right: from 40,0,200 to 140,20,100", 1, 0.25, "90,10,150");
+    AT_LEVEL("level 0, by both steps: from 40,0,200", 0.25, 0.25, "40,0,200");
 }
