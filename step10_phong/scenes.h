@@ -3,74 +3,11 @@
  *
  * A scene is a square of cells, and in each cell the model as one shader draws it, with a material.
  */
-#include "tangent.h"
+#include "extra_probe.h"
+#include "extra_tangent.h"
 
 #include <stdlib.h>
 #include <string.h>
-
-/* ---- Normal maps in tangent space: see TANGENT.md ---- */
-
-/* The lesson's varyings, and the axes behind them. */
-static void tangent_vertex(const void *uniforms, size_t face, size_t corner, double *varyings) {
-    const struct uniforms *u = uniforms;
-    vertex(uniforms, face, corner, varyings);
-    tangent_varyings(u->model, face, corner, varyings + 5);
-}
-
-/* Light on a surface that has all but its normal. */
-static lanes_mask tangent_light(const struct uniforms *u, struct surface surface,
-                                const lanes *varyings, lanes_texel *color) {
-    struct lanes3 value = texture_lanes(u->normal_map, uv_of(varyings), u->normal_level);
-    surface.normal = lanes3_normalized(tangent_normal(varyings + 5, value));
-    *color = illuminate(u, &surface);
-    return lanes_all_set();
-}
-
-static lanes_mask tangent_mapped_fragment(const void *uniforms, const lanes *varyings,
-                                          lanes_texel *color) {
-    return tangent_light(uniforms, plain_surface(uniforms, varyings), varyings, color);
-}
-
-static lanes_mask tangent_full_fragment(const void *uniforms, const lanes *varyings,
-                                        lanes_texel *color) {
-    return tangent_light(uniforms, textured_surface(uniforms, varyings), varyings, color);
-}
-
-static lanes_mask tangent_weight_fragment(const void *uniforms, const lanes *varyings,
-                                          lanes_texel *color) {
-    const struct uniforms *u = uniforms;
-    struct surface surface = textured_surface(u, varyings);
-    lanes value = texture_lanes(u->specular, uv_of(varyings), u->specular_level).z;
-    surface.specular *= value * (1 / 255.0f);
-    return tangent_light(u, surface, varyings, color);
-}
-
-static lanes_mask tangent_power_fragment(const void *uniforms, const lanes *varyings,
-                                         lanes_texel *color) {
-    const struct uniforms *u = uniforms;
-    struct surface surface = textured_surface(u, varyings);
-    lanes value = texture_lanes(u->specular, uv_of(varyings), u->specular_level).z;
-    surface.power = 1 + lanes_floor(value * 0.125f);
-    surface.largest_power = 32;
-    return tangent_light(u, surface, varyings, color);
-}
-
-/* Without their own loops, which take long to compile. */
-#define TANGENT_SHADER(function)                                                                   \
-    { .varying_count = 5 + TANGENT_VARYINGS, .vertex = tangent_vertex, .fragment = (function) }
-static const struct shader tangent_mapped = TANGENT_SHADER(tangent_mapped_fragment);
-static const struct shader tangent_full = TANGENT_SHADER(tangent_full_fragment);
-static const struct shader tangent_weight = TANGENT_SHADER(tangent_weight_fragment);
-static const struct shader tangent_power = TANGENT_SHADER(tangent_power_fragment);
-
-/* The one that does in tangent space what the lesson's shader does in object space. */
-static const struct shader *in_tangent_space(const struct shader *shader) {
-    return shader == &mapped          ? &tangent_mapped
-           : shader == &full          ? &tangent_full
-           : shader == &weight_mapped ? &tangent_weight
-           : shader == &power_mapped  ? &tangent_power
-                                      : shader;
-}
 
 /* ---- Drawing ---- */
 
@@ -157,65 +94,6 @@ struct cell {
     const struct model *model;      /* NULL: the drawing's */
     const struct texture *specular; /* NULL: the drawing's */
 };
-
-/* The weights of a face's corners at the probed pixel, where it covers that and is nearer than
- * `depth`, which becomes its own. */
-static bool probe_face(const struct drawing *drawing, const struct image *image,
-                       const struct draw_call *call, size_t face, double *depth,
-                       struct vec3 *weight) {
-    struct fixed2 p[3];
-    double z[3], recip_w[3];
-    struct edges edges;
-    for (size_t i = 0; i < 3; i++) {
-        const struct vec4 c = mat4_point(&call->to_clip, model_position(call->model, face, i));
-        const struct rectangle *view = &call->viewport;
-        if (!(c.w > 0) || !screen_snap((struct vec2){view->x + (c.x / c.w + 1) * view->width / 2,
-                                                     view->y + (c.y / c.w + 1) * view->height / 2},
-                                       &p[i])) {
-            return false;
-        }
-        z[i] = c.z / c.w;
-        recip_w[i] = 1 / c.w;
-    }
-    if (!edges_setup(&edges, p[0], p[1], p[2], image->width, image->height) || edges.clockwise ||
-        !edges_cover(&edges, drawing->probe.x, drawing->probe.y)) {
-        return false;
-    }
-    const struct vec3 w = edges_weights(&edges, drawing->probe.x, drawing->probe.y);
-    const double there = interpolate(w, z[0], z[1], z[2]);
-    if (!(there > *depth)) {
-        return false;
-    }
-    *depth = there;
-    *weight = perspective_weights(w, recip_w);
-    return true;
-}
-
-/* The vectors of Phong's light at the probed pixel, with the normals of the corners. */
-static void note_light(struct drawing *drawing, const struct image *image,
-                       const struct draw_call *call, const struct uniforms *u) {
-    const struct model *m = call->model;
-    struct vec3 w, n = {0, 0, 0}, place = {0, 0, 0};
-    double depth = -INFINITY;
-    for (size_t face = 0; drawing->probed && face < m->face_count; face++) {
-        if (probe_face(drawing, image, call, face, &depth, &w)) {
-            n = vec3_normalized(vec3_interpolate(
-                w, model_normal(m, face, 0), model_normal(m, face, 1), model_normal(m, face, 2)));
-            place = vec3_interpolate(w, model_position(m, face, 0), model_position(m, face, 1),
-                                     model_position(m, face, 2));
-        }
-    }
-    if (depth > -INFINITY) {
-        const struct vec3 l = u->to_light, v = vec3_normalized(vec3_sub(drawing->eye, place));
-        const struct vec3 r = vec3_sub(vec3_scale(n, 2 * vec3_dot(n, l)), l);
-        drawing_note(drawing, "n %+.3f %+.3f %+.3f", n.x, n.y, n.z);
-        drawing_note(drawing, "l %+.3f %+.3f %+.3f   n.l %+.3f", l.x, l.y, l.z, vec3_dot(n, l));
-        drawing_note(drawing, "r %+.3f %+.3f %+.3f", r.x, r.y, r.z);
-        drawing_note(drawing, "v %+.3f %+.3f %+.3f   r.v %+.3f, to the power of %d: %.3f", v.x, v.y,
-                     v.z, vec3_dot(r, v), u->material.power,
-                     pow(fmax(vec3_dot(r, v), 0), u->material.power));
-    }
-}
 
 /* What a part's own material says, instead of the lesson's. */
 static struct material own_material(const struct drawing *drawing, struct material material) {
@@ -491,6 +369,41 @@ static const struct scene scenes[] = {
         .needs = NEEDS_MODEL | NEEDS_DIFFUSE | NEEDS_NORMAL_MAP | NEEDS_SPECULAR,
         .frames = TURN_FRAMES,
         .draw = draw_turn,
+    },
+    {
+        .name = "wide",
+        .detail = true,
+        .needs = NEEDS_MODEL | NEEDS_NORMALS | NEEDS_DIFFUSE | NEEDS_NORMAL_MAP,
+        .width = 203,
+        .height = 67,
+        .values = light_values,
+        .draw = draw_four,
+    },
+    {
+        .name = "high",
+        .detail = true,
+        .needs = NEEDS_MODEL | NEEDS_NORMALS | NEEDS_DIFFUSE | NEEDS_NORMAL_MAP,
+        .width = 61,
+        .height = 181,
+        .values = light_values,
+        .draw = draw_four,
+    },
+    {
+        .name = "small",
+        .detail = true,
+        .needs = NEEDS_MODEL | NEEDS_NORMALS,
+        .width = 23,
+        .height = 13,
+        .light = {-1, 0.5, 0.4},
+        .draw = draw_matt,
+    },
+    {
+        .name = "one_pixel",
+        .detail = true,
+        .needs = NEEDS_MODEL | NEEDS_NORMALS,
+        .width = 1,
+        .height = 1,
+        .draw = draw_matt,
     },
     {
         .name = "shadow",

@@ -71,4 +71,21 @@ static inline bool called_make_texture(struct texture *texture, const struct col
     return done;
 }
 
+/* A texture of so many mip levels, at most 4, with a colour for each. */
+static inline bool called_make_levels(struct texture *texture, const struct color *colors,
+                                      size_t count) {
+    const struct color black[8] = {{0}};
+    if (!called_make_texture(texture, black, (size_t)1 << (count - 1))) {
+        return false;
+    }
+    for (size_t i = 0; i < count; i++) {
+        const struct texture_level *level = &texture->level[i];
+        for (size_t k = 0; k < 2 * level->pitch; k++) {
+            level->texels[k] =
+                255u << 24 | (uint32_t)colors[i].r << 16 | (uint32_t)colors[i].g << 8 | colors[i].b;
+        }
+    }
+    return true;
+}
+
 #endif

@@ -72,6 +72,7 @@ static struct face faces[] = {{{{0, 0, 0}, {1, 1, 0}, {2, 0, 0}}}};
 static const struct model model = {
     .positions = positions, .normals = normals, .uvs = uvs, .faces = faces, .face_count = 1};
 static struct texture called_colors, map, specular;
+static size_t called_levels[3]; /* of these */
 
 /* In the light of the text's worked example, seen from the front. */
 static struct uniforms called_uniforms_of(struct material material) {
@@ -80,6 +81,9 @@ static struct uniforms called_uniforms_of(struct material material) {
         .diffuse = &called_colors,
         .normal_map = &map,
         .specular = &specular,
+        .diffuse_level = called_levels[0],
+        .normal_level = called_levels[1],
+        .specular_level = called_levels[2],
         .eye = {1, 2, 3},
         .to_light = {0.6, 0, 0.8},
         .material = material,
@@ -91,7 +95,7 @@ static const struct material called_shining = {0.1, 1, 1.5, 10, {0, 255, 0}};
 static const struct material called_faint = {0.1, 1, 0.5, 10, {0, 255, 0}};
 
 /* Where the way to the eye has any length. */
-static const double called_varyings[VARYING_LIMIT] = {0, 0, 2, 0.5, 0.5};
+static double called_varyings[VARYING_LIMIT] = {0, 0, 2, 0.5, 0.5};
 
 static void called_fill_varyings(lanes *all) {
     for (int i = 0; i < VARYING_LIMIT; i++) {
@@ -99,12 +103,14 @@ static void called_fill_varyings(lanes *all) {
     }
 }
 
+static struct vec3 called_to_eye = {0, 0, 2};
+
 /* These are the surface's own: the material's are others. */
 static struct surface called_surface_of(struct vec3 color, double weight, int power) {
     return (struct surface){
         .color = lanes3_all(color),
         .normal = lanes3_all(xyz(0, 0, 1)),
-        .to_eye = lanes3_all(xyz(0, 0, 2)),
+        .to_eye = lanes3_all(called_to_eye),
         .specular = lanes_all((real)weight),
         .power = lanes_all((real)power),
         .largest_power = power,
@@ -113,8 +119,9 @@ static struct surface called_surface_of(struct vec3 color, double weight, int po
 
 /* The three parts of a surface, by your phong(). */
 static struct vec3 called_sum_of(const struct material *material, const struct surface *surface) {
-    struct lanes2 light = phong(surface->normal, lanes3_all(xyz(0.6, 0, 0.8)),
-                                lanes3_all(xyz(0, 0, 1)), surface->power, surface->largest_power);
+    struct lanes2 light =
+        phong(surface->normal, lanes3_all(xyz(0.6, 0, 0.8)),
+              lanes3_all(vec3_normalized(called_to_eye)), surface->power, surface->largest_power);
     double scattered = material->ambient + material->diffuse * (double)light.x[0];
     double mirrored = 255 * (double)surface->specular[0] * (double)light.y[0];
     return xyz((double)surface->color.x[0] * scattered + mirrored,
@@ -176,11 +183,28 @@ static struct vec3 called_mapped_sum(struct material material, double part, int 
 
 static bool called_make_textures(uint8_t value) {
     const struct color one[] = {rgb(200, 100, 50), rgb(128, 128, 255), color_grey(value)};
+    memset(called_levels, 0, sizeof called_levels);
     texture_free(&called_colors);
     texture_free(&map);
     texture_free(&specular);
     return called_make_texture(&called_colors, &one[0], 1) &&
            called_make_texture(&map, &one[1], 1) && called_make_texture(&specular, &one[2], 1);
+}
+
+/* The same for the value 102, each at a level of its own. */
+static bool called_make_textures_of_levels(void) {
+    const struct color black = {0}, colors[] = {black, rgb(200, 100, 50), rgb(0, 0, 255), black};
+    const struct color out_of_z[] = {rgb(255, 128, 128), rgb(128, 255, 128), rgb(128, 128, 255),
+                                     rgb(0, 128, 128)};
+    const struct color values[] = {black, color_grey(255), color_grey(200), color_grey(102)};
+    for (size_t i = 0; i < 3; i++) {
+        called_levels[i] = i + 1;
+    }
+    texture_free(&called_colors);
+    texture_free(&map);
+    texture_free(&specular);
+    return called_make_levels(&called_colors, colors, 4) && called_make_levels(&map, out_of_z, 4) &&
+           called_make_levels(&specular, values, 4);
 }
 
 /* ---- What a corner hands over, and what a pixel makes of it ---- */
@@ -214,6 +238,12 @@ static struct vec3 called_color_of_texture(void) {
     return xyz((double)color.x[0], (double)color.y[0], (double)color.z[0]);
 }
 
+#define POWER_MAP(value, power, right)                                                             \
+    called_make_textures(value);                                                                   \
+    ABOUT("10c.3+10b.1", "power_map_fragment() of value " #value,                                  \
+          called_fragment_of(power_map_fragment, called_faint), right,                             \
+          called_mapped_sum(called_faint, 1, power, 32))
+
 static void numbers(void) {
     if (!called_make_textures(102)) {
         return;
@@ -236,6 +266,10 @@ static void numbers(void) {
     const struct surface bright = called_surface_of(xyz(255, 128, 255), 0.5, 10);
     ABOUT("10a.2+10b.1", "illuminate(), worked example", called_illuminated(other, bright),
           rgb(243, 129, 243), called_sum_of(&other, &bright));
+    called_to_eye = xyz(-1, 0, sqrt(3)); /* near the mirrored light */
+    const struct surface sharp = called_surface_of(xyz(100, 50, 0), 0.25, 80);
+    ABOUT("10a.2+10b.1", "illuminate(), power 80", called_illuminated(other, sharp),
+          rgb(126, 81, 36), called_sum_of(&other, &sharp));
     TEXT("10a.3", "vertex_with_normal(), normal (0, 3, 4)",
          called_handed_over(vertex_with_normal, 5, 3), "(0, 0.6, 0.8)");
     TEXT("10a.4", "mesh_normal((0.5, 0.5, 0))", IN_LANES(called_normal_in, 0.5, 0.5, 0),
@@ -265,14 +299,21 @@ static void numbers(void) {
     ABOUT("10c.3+10b.1", "weight_map_fragment() of value 102",
           called_fragment_of(weight_map_fragment, called_shining), rgb(198, 108, 63),
           called_mapped_sum(called_shining, 0.4, -1, -1));
-    called_make_textures(87);
-    ABOUT("10c.3+10b.1", "power_map_fragment() of value 87",
-          called_fragment_of(power_map_fragment, called_faint), rgb(192, 102, 57),
-          called_mapped_sum(called_faint, 1, 11, 32));
-    called_make_textures(7);
-    ABOUT("10c.3+10b.1", "power_map_fragment() of value 7",
-          called_fragment_of(power_map_fragment, called_faint), rgb(255, 193, 148),
-          called_mapped_sum(called_faint, 1, 1, 32));
+    called_make_textures_of_levels();
+    AS_VECTOR("10c.2", "textured_surface(), the texture at its level", vec3,
+              called_color_of_texture(), xyz(200, 100, 50));
+    ABOUT("10c.3+10b.1", "weight_map_fragment(), each texture at its level",
+          called_fragment_of(weight_map_fragment, called_shining), rgb(198, 108, 63),
+          called_mapped_sum(called_shining, 0.4, -1, -1));
+    ABOUT("10c.3+10b.1", "power_map_fragment(), each texture at its level",
+          called_fragment_of(power_map_fragment, called_faint), rgb(188, 98, 53),
+          called_mapped_sum(called_faint, 1, 13, 32));
+    POWER_MAP(87, 11, rgb(192, 102, 57));
+    POWER_MAP(7, 1, rgb(255, 193, 148));
+    POWER_MAP(8, 2, rgb(255, 173, 128));
+    called_varyings[0] = -1; /* near the mirrored light, where a large power shines, too */
+    called_varyings[2] = sqrt(3);
+    POWER_MAP(255, 32, rgb(255, 194, 149));
     VECTOR("10c.4", vec3, turning_light(0), xyz(0, 0, 1));
     VECTOR("10c.4", vec3, turning_light(0.25), xyz(1, 0, 0));
     VECTOR("10c.4", vec3, turning_light(0.125), xyz(sqrt(0.5), 0, sqrt(0.5)));
