@@ -506,7 +506,7 @@ static struct shown called_shaded_band(struct span rows, double recip_w,
     const struct canvas canvas = {&image, NULL};
     const struct simple_shader shader = {2, called_counting_vertex, pixel};
     const struct band band = {rows, CALLED_WIDTH, NULL, nearest};
-    struct kept_face kept[2];
+    struct kept_face kept[3] = {{0}}; /* the last for a number that is taken for an index */
     called_keep_triangle(&kept[0], 0, 0, 2048, recip_w, CALLED_HEIGHT);
     called_keep_triangle(&kept[1], 1, 1, 2048, recip_w, CALLED_HEIGHT);
     called_corners = called_pixels = 0;
@@ -545,17 +545,18 @@ static struct shown called_drawn_visibly(bool by_parts, int height, int band_row
     const struct canvas canvas = {&image, depth};
     const struct simple_shader shader = {2, called_counting_vertex, called_counting_pixel};
     const struct band band = {{0, band_rows}, CALLED_WIDTH, depth, nearest};
-    struct kept_face kept[2];
+    struct kept_face kept[3] = {{0}}; /* the last for a number that is taken for an index */
     int rows = 0;
     called_keep_triangle(&kept[0], 0, 0, 2048, 1, height);
     called_keep_triangle(&kept[1], 1, 1, 307, 1, height);
     called_corners = called_pixels = 0;
     for (int i = 0; i < CALLED_WIDTH * CALLED_MEMORY; i++) {
-        depth[i] = nearest[i] = 99;
+        depth[i] = 99;
+        nearest[i] = 2; /* a face that there is: no crash where it is read too early */
     }
     called_draw_bands(by_parts, &canvas, band, kept, &shader);
     for (int i = 0; i < CALLED_WIDTH * CALLED_MEMORY; i++) {
-        rows = nearest[i] == 99 && depth[i] == 99 ? rows : i / CALLED_WIDTH + 1;
+        rows = nearest[i] == 2 && depth[i] == 99 ? rows : i / CALLED_WIDTH + 1;
     }
     const struct shown reds = called_reds(&image);
     return part == CALLED_GREYS   ? reds
