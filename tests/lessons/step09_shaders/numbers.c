@@ -483,11 +483,13 @@ static struct shown called_covered(struct span rows, bool depths, double before)
 /* How often each function of the shader below was called. */
 static int called_corners, called_pixels;
 
-/* Varying 1 is 0, 80 and 160 at the corners of face 0, and 100 more in face 1. */
+enum { CALLED_A = 3, CALLED_B = 4 }; /* faces of a model, kept as 0 and 1 */
+
+/* Varying 1 is 0, 80 and 160 at the corners of face A, and 100 more in face B. */
 static void called_counting_vertex(const void *u, size_t face, size_t corner, double *varyings) {
     (void)u;
     varyings[0] = 200;
-    varyings[1] = 80 * (double)corner + 100 * (double)face;
+    varyings[1] = 80 * (double)corner + 100 * ((double)face - CALLED_A);
     called_corners++;
 }
 
@@ -496,9 +498,8 @@ static bool called_counting_pixel(const void *u, const double *varyings, struct 
     return called_grey_pixel(u, varyings, rgb);
 }
 
-/* Two such faces, face 1 nearer, by shade_band() in these rows of 3 x 2 pixels: in its first row it
- * finds face 0, none and face 0, in its second one none, face 1 and face 0. The greys, or the
- * calls. */
+/* Two such faces, B nearer, by shade_band() in these rows of 3 x 2 pixels: in its first row it finds
+ * A, none and A, in its second one none, B and A. The greys, or the calls. */
 static struct shown called_shaded_band(struct span rows, double recip_w,
                                        called_pixel_function *pixel, enum called_part part) {
     uint32_t nearest[CALLED_WIDTH * CALLED_HEIGHT] = {1, 0, 1, 0, 2, 1};
@@ -507,8 +508,8 @@ static struct shown called_shaded_band(struct span rows, double recip_w,
     const struct simple_shader shader = {2, called_counting_vertex, pixel};
     const struct band band = {rows, CALLED_WIDTH, NULL, nearest};
     struct kept_face kept[3] = {{0}}; /* the last for a number that is taken for an index */
-    called_keep_triangle(&kept[0], 0, 0, 2048, recip_w, CALLED_HEIGHT);
-    called_keep_triangle(&kept[1], 1, 1, 2048, recip_w, CALLED_HEIGHT);
+    called_keep_triangle(&kept[0], CALLED_A, 0, 2048, recip_w, CALLED_HEIGHT);
+    called_keep_triangle(&kept[1], CALLED_B, 1, 2048, recip_w, CALLED_HEIGHT);
     called_corners = called_pixels = 0;
     shade_band(&canvas, &band, kept, &shader, NULL);
     const struct shown reds = called_reds(&image);
@@ -533,7 +534,7 @@ static void called_draw_bands(bool by_parts, const struct canvas *canvas, struct
     }
 }
 
-/* Both faces over 3 pixels a row, where face 1 reaches over row 0 only, in bands of that many rows:
+/* Both faces over 3 pixels a row, where B reaches over row 0 only, in bands of that many rows:
  * the greys, the calls, or how many rows of the memory for bands are written, with what is behind
  * it. */
 static struct shown called_drawn_visibly(bool by_parts, int height, int band_rows,
@@ -547,8 +548,8 @@ static struct shown called_drawn_visibly(bool by_parts, int height, int band_row
     const struct band band = {{0, band_rows}, CALLED_WIDTH, depth, nearest};
     struct kept_face kept[3] = {{0}}; /* the last for a number that is taken for an index */
     int rows = 0;
-    called_keep_triangle(&kept[0], 0, 0, 2048, 1, height);
-    called_keep_triangle(&kept[1], 1, 1, 307, 1, height);
+    called_keep_triangle(&kept[0], CALLED_A, 0, 2048, 1, height);
+    called_keep_triangle(&kept[1], CALLED_B, 1, 307, 1, height);
     called_corners = called_pixels = 0;
     for (int i = 0; i < CALLED_WIDTH * CALLED_MEMORY; i++) {
         depth[i] = 99;
