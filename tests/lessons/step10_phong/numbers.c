@@ -281,6 +281,8 @@ static void numbers(void) {
     TEXT("10b.2", "reflect((0.6, 0.8, 0), (1, 0, 0))",
          IN_LANES(called_reflect_in, 0.6, 0.8, 0, 1, 0, 0), "(-0.28, 0.96, 0)");
     SPECULAR((0, 0, 1), (0.6, 0, 0.8), (0, 0, 1), 10, "0.1074");
+    SPECULAR((0, 0, 1), (0.6, 0, 0.8), (0, 0.6, 0.8), 2, "0.4096");
+    SPECULAR((0, 0, 1), (0.9999875, 0, 0.005), (-0.9999875, 0, 0.005), 1, "1");
     SPECULAR((0, 0, 1), (0.6, 0, 0.8), (1, 0, 0), 2, "0");
     SPECULAR((0, 0, 1), (0.6, 0, 0.8), (1, 0, 0), 0, "1");
     SPECULAR((0, 0, -1), (0.6, 0, 0.8), (-0.96, 0, -0.28), 2, "0");
@@ -311,6 +313,7 @@ static void numbers(void) {
     POWER_MAP(87, 11, rgb(192, 102, 57));
     POWER_MAP(7, 1, rgb(255, 193, 148));
     POWER_MAP(8, 2, rgb(255, 173, 128));
+    POWER_MAP(12, 2, rgb(255, 173, 128));
     called_varyings[0] = -1; /* near the mirrored light, where a large power shines, too */
     called_varyings[2] = sqrt(3);
     POWER_MAP(255, 32, rgb(255, 194, 149));
