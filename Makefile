@@ -89,14 +89,18 @@ $(BUILD)/flags: force
 
 # ---- A lesson's program: its main.c and what all lessons share ----
 
+# What the lesson of that number teaches is not given in it: common/given/later.h.
+TEACHES = $(patsubst %,-DCOURSE_LESSON=%,$(patsubst 0%,%,$(LESSON_NUMBER)))
+LESSON_NUMBER = $(patsubst step%,%,$(firstword $(subst _, ,$(filter $(STEPS),$(@F)))))
+
 # It is linked under another name first: `make watch` may run the old one meanwhile. What the
 # compiler warns of is kept, because the check repeats it.
 define BUILD_LESSON
 	@$(foreach h,$(filter $(notdir $(wildcard common/*.h)),$(notdir $(wildcard $(<D)/*.h))),\
 	    echo "$(<D)/$h: error: it hides common/$h: give it another name" >&2; exit 1;) :
 	$(SAY) CC $<
-	$(Q)$(COMPILE) $$([ ! -t 2 ] || echo -fdiagnostics-color=always) $(1) -MF $@.d -MT $@ -c $< -o $@.o \
-	    2>$@.said || { $(SAID) >&2; exit 1; }
+	$(Q)$(COMPILE) $(TEACHES) $$([ ! -t 2 ] || echo -fdiagnostics-color=always) $(1) \
+	    -MF $@.d -MT $@ -c $< -o $@.o 2>$@.said || { $(SAID) >&2; exit 1; }
 	@[ ! -s $@.said ] || $(SAID) >&2
 	$(Q)$(LINK) $(1) $@.o $(2) $(BUILD)/libcommon.a -lm -o $@.$$$$ && mv -f $@.$$$$ $@
 endef

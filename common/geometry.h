@@ -186,34 +186,7 @@ static inline struct vec3 mat4_direction(const struct mat4 *a, struct vec3 d) {
     return (struct vec3){r.x, r.y, r.z};
 }
 
-/* ---- The parallel view ---- */
-
-/* The parallel view of lessons 2 to 7, on a screen of width x height pixels: x and y in -1..1 fill
- * it, z does not count. */
-static inline struct vec2 parallel_view(struct vec3 world, size_t width, size_t height) {
-    return (struct vec2){(world.x + 1) * (double)width / 2, (world.y + 1) * (double)height / 2};
-}
-
-/* ---- Cameras (taught in step08_projection) ---- */
-
-/* World to view: a rigid change of frame. `center` becomes the origin, the direction from center to
- * eye becomes +z, and `up` appears upwards. Where up is parallel to the view direction (or zero)
- * the world axis most nearly perpendicular to it takes its place; where eye equals center, +z is
- * used. Orthonormal to 4 ulp for all finite arguments. */
-struct mat4 mat4_lookat(struct vec3 eye, struct vec3 center, struct vec3 up);
-
-/* View to clip for a camera at (0, 0, distance): w = 1 - z / distance; x, y and z are kept. What
- * lies at z = 0 keeps its size; depth z/w still grows towards the camera. An infinite distance
- * gives the parallel view. `distance` must not be 0. */
-struct mat4 mat4_projection(double distance);
-
-/* Barycentric weights in the plane of the triangle from those on the screen, for perspective: each
- * corner counts by its recip_w (Blinn, "Hyperbolic Interpolation", 1992). The weights on the screen
- * may have any common factor but 0, such as the area; the sum of the result is 1. */
-static inline struct vec3 perspective_weights(struct vec3 screen, const double recip_w[3]) {
-    double a = screen.x * recip_w[0], b = screen.y * recip_w[1], c = screen.z * recip_w[2];
-    double scale = 1 / (a + b + c);
-    return (struct vec3){a * scale, b * scale, c * scale};
-}
+#include "given/camera.h"
+#include "given/parallel_view.h"
 
 #endif

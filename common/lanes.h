@@ -20,11 +20,16 @@
 #define COMMON_LANES_H
 
 #include "geometry.h"
+#include "given/later.h"
 
 #include <math.h>
 #include <stdbool.h>
 #include <stdint.h>
 #include <string.h>
+
+#if COURSE_LESSON <= 8
+#error "lanes.h and pipeline.h are given from lesson 9 on"
+#endif
 
 /* The numbers of pixel arithmetic. What decides (coverage, depth) is never one of them. */
 #ifndef REAL

@@ -1,10 +1,7 @@
 /*
- * The exact pixels of lines and triangles. The fill rule is in raster.c, make_edge().
- *
- * Taught in step01_line, step02_wireframe (lines cut to the image) and step03_triangle: read these
- * first. Everything is decided with integers: a pixel is covered or not, whatever the compiler, and
- * triangles that share an edge neither overlap nor leave a gap. Pixels and positions are those of
- * geometry.h.
+ * Pixels, positions on the screen, and the edges of triangles. Whole numbers decide which pixels
+ * are covered, so every compiler gets the same ones. Pixels and positions are those of geometry.h.
+ * (What lessons 1 to 3 teach about them is in given/: read these lessons first.)
  */
 #ifndef COMMON_RASTER_H
 #define COMMON_RASTER_H
@@ -43,43 +40,6 @@ struct rectangle {
  * cells share out all of its pixels; an image with fewer pixels than cells gives some of them
  * none. */
 struct rectangle grid_cell(size_t width, size_t height, int columns, int rows, int cell);
-
-/* ---- Lines (taught in step01_line, cut to the image in step02_wireframe) ---- */
-
-/* The pixels of a line that lie in the image, one after the other, starting at its left end (a
- * steep line: at its lower end), whatever the order of the end points. In every column (a steep
- * line: row) it is the pixel nearest to the ideal line; at a tie the one nearer to where the line
- * starts. */
-struct line_walk {
-    int x, y;              /* the current pixel */
-    bool steep;            /* steps up in y instead of right in x */
-    int minor_step;        /* +1 or -1, along the other axis */
-    size_t left;           /* pixels after the current one */
-    int64_t rise, divisor; /* twice the minor and twice the major length */
-    int64_t remainder;     /* of the division for the minor coordinate: 0 <= remainder < divisor */
-};
-
-/* Go to the first pixel in the image; false when there is none. Work does not grow with what lies
- * outside. */
-bool line_begin(struct line_walk *walk, struct pixel a, struct pixel b, size_t width,
-                size_t height);
-
-/* Go to the next pixel in the image; false when there is none. */
-static inline bool line_next(struct line_walk *walk) {
-    if (walk->left == 0) {
-        return false;
-    }
-    walk->left--;
-    walk->remainder += walk->rise;
-    int minor = 0;
-    if (walk->remainder >= walk->divisor) {
-        walk->remainder -= walk->divisor;
-        minor = walk->minor_step;
-    }
-    walk->x += walk->steep ? minor : 1;
-    walk->y += walk->steep ? 1 : minor;
-    return true;
-}
 
 /* ---- Positions and edges on the screen ---- */
 
@@ -163,35 +123,12 @@ static inline struct span centers_between(int32_t least, int32_t most, size_t si
                          (int)(end < (int64_t)size ? end : (int64_t)size)};
 }
 
-/* ---- Triangles (taught in step03_triangle) ---- */
-
-/* Set up a triangle on an image of at most DRAW_LIMIT pixels a side. False when it certainly covers
- * no pixel: no area, off the image, or too small to reach a pixel centre.
- *
- * A pixel is covered when its centre is inside; a centre exactly on an edge belongs to the triangle
- * whose left or top edge this is. So triangles that share an edge neither overlap nor leave a gap,
- * and the order of the corners does not matter. (The top-left rule: Microsoft, "Direct3D 11
- * Functional Specification".) */
-bool edges_setup(struct edges *edges, struct fixed2 a, struct fixed2 b, struct fixed2 c,
-                 size_t width, size_t height);
-
-/* The covered pixels of row y (y_begin <= y < y_end), found with one exact division per edge. */
-struct span edges_span(const struct edges *edges, int y);
-
-/* The weights of corners a, b and c at the centre of a pixel: their sum is 1 (except for rounding),
- * and inside the triangle none is negative. Each is the exact edge value divided by the area, so
- * nothing drifts along a row. */
-static inline struct vec3 edges_weights(const struct edges *edges, int x, int y) {
-    const struct edge *e = edges->edge;
-    double scale = 1 / (double)edges->area;
-    return (struct vec3){(double)(e[0].origin + e[0].dx * x + e[0].dy * y) * scale,
-                         (double)(e[1].origin + e[1].dx * x + e[1].dy * y) * scale,
-                         (double)(e[2].origin + e[2].dx * x + e[2].dy * y) * scale};
-}
-
 /* ---- Depth ---- */
 
 /* All depths become minus infinity: nothing is drawn yet. */
 void depth_clear(double *depth, size_t pixel_count);
+
+#include "given/lines.h"
+#include "given/triangles.h"
 
 #endif

@@ -1,12 +1,12 @@
 /*
- * Textures: an image made ready for sampling, its mip levels, and the bilinear sample.
+ * Textures: an image made ready for sampling, and its mip levels.
  *
  * Taught in step06_texture: read that first. Texture coordinates are (0,0) at the bottom-left
  * corner of the image and (1,1) at its top-right corner; texel (i,j) covers u in [i/width,
  * (i+1)/width), so its centre is at ((i+0.5)/width, (j+0.5)/height). Outside 0..1 the picture
  * repeats or, where it is clamped, its edge texels do; a coordinate that is not a number counts as
  * 0. All is the same on every machine: the mip levels are computed with whole numbers, sampling
- * with + - * of doubles.
+ * (given/bilinear.h) with + - * of doubles.
  */
 #ifndef COMMON_TEXTURE_H
 #define COMMON_TEXTURE_H
@@ -15,7 +15,6 @@
 #include "geometry.h"
 #include "tgaimage.h"
 
-#include <math.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -31,8 +30,8 @@ struct texture_level {
     /* Bottom row first; see texture_texel(). Behind each row and above the last one the first texel
      * and the first row come again, so that the neighbours of every texel can be read. */
     uint32_t *texels;
-    /* To sample with: both sizes; 1 over them, or 0 where the picture clamps; the last place on
-     * both axes, as texture_place() gives it. */
+    /* To sample with: both sizes; 1 over them, or 0 where the picture clamps; the last place
+     * between texel centres on both axes. */
     float columns, rows, recip_columns, recip_rows, most_columns, most_rows;
     uint64_t kind; /* the same in levels of equal size that both repeat, or both clamp */
 };
@@ -105,40 +104,6 @@ static inline struct vec4 texture_mix(struct vec4 from, struct vec4 to, double f
  * large as a pixel: half of the texture's width is seen over `pixels` pixels. NULL has level 0. */
 size_t texture_wrapped_level(const struct texture *texture, double pixels);
 
-/* ---- The bilinear sample (taught in step06_texture) ---- */
-
-/* The same for the channels of two texels. */
-static inline struct vec4 texture_mix_texels(uint32_t from, uint32_t to, double fraction) {
-    int r = (int)(from >> 16 & 0xFF), g = (int)(from >> 8 & 0xFF), b = (int)(from & 0xFF);
-    int a = (int)(from >> 24);
-    return (struct vec4){
-        r + ((int)(to >> 16 & 0xFF) - r) * fraction, g + ((int)(to >> 8 & 0xFF) - g) * fraction,
-        b + ((int)(to & 0xFF) - b) * fraction, a + ((int)(to >> 24) - a) * fraction};
-}
-
-/* Where a coordinate lies on an axis of `size` texels: 0 at the centre of the first one, 1 at that
- * of the second. Behind the last one comes the first again, at `size`; not where it clamps. */
-static inline double texture_place(double coordinate, double size, bool clamp) {
-    if (clamp) {
-        return texture_clamp(coordinate * size - 0.5, size - 1);
-    }
-    double place = texture_clamp(coordinate - floor(coordinate), 1) * size - 0.5;
-    return place < 0 ? place + size : place;
-}
-
-/* Linear between the four nearest texel centres of one level (clamped to the last one). The result
- * is red, green, blue, alpha as x, y, z, w in values 0..255, not rounded. */
-static inline struct vec4 texture_bilinear(const struct texture *texture, struct vec2 uv,
-                                           size_t level) {
-    size_t last_level = texture->level_count - 1;
-    const struct texture_level *l = &texture->level[level < last_level ? level : last_level];
-    double u = texture_place(uv.x, (double)(uint32_t)l->width, texture->clamp);
-    double v = texture_place(uv.y, (double)(uint32_t)l->height, texture->clamp);
-    uint32_t x = (uint32_t)u, y = (uint32_t)v;
-    const uint32_t *lower = l->texels + y * l->pitch + x, *upper = lower + l->pitch;
-    double across = u - x, along = v - y;
-    return texture_mix(texture_mix_texels(lower[0], lower[1], across),
-                       texture_mix_texels(upper[0], upper[1], across), along);
-}
+#include "given/bilinear.h"
 
 #endif

@@ -38,7 +38,7 @@ $(STEPS:%=$(BUILD)/sanitized/%): $(BUILD)/sanitized/%: %/main.c $(BUILD)/%.text 
 NUMBERS = $(patsubst tests/lessons/%/numbers.c,%,$(wildcard tests/lessons/*/numbers.c))
 define BUILD_NUMBERS
 	@mkdir -p $(@D)
-	$(Q)$(COMPILE) $(if $(REAL),-O1,-O0) -w -Itests $(1) -MF $@.d -MT $@ -c $< -o $@.o
+	$(Q)$(COMPILE) $(TEACHES) $(if $(REAL),-O1,-O0) -w -Itests $(1) -MF $@.d -MT $@ -c $< -o $@.o
 	$(Q)$(LINK) $(1) $@.o $(BUILD)/libcommon.a -lm -o $@.$$$$ && mv -f $@.$$$$ $@
 endef
 $(NUMBERS:%=$(BUILD)/numbers/%): $(BUILD)/numbers/%: tests/lessons/%/numbers.c $(BUILD)/%.text \

@@ -70,7 +70,7 @@ $(BUILD)/grade.%: force
 	@[ -f $(HANDED_IN) ] || { echo 'error: no $(@F)/main.c was handed in' >&2; exit 1; }
 	@[ $(PLACE) = $(@D) ] || { mkdir -p $(@D) && chmod 777 $(@D) && \
 	    cp tests/*.h tests/lessons/$(@F)/numbers.c $(@D); }
-	$(Q)$(CONTAINED) $(filter-out -MMD -MP,$(COMPILE)) -I$(@F) $(if $(filter %/numbers,$(@D)), \
+	$(Q)$(CONTAINED) $(filter-out -MMD -MP,$(COMPILE)) $(TEACHES) -I$(@F) $(if $(filter %/numbers,$(@D)), \
 	    -O0 -w -I$(@D) -DLESSON='"$(abspath $(HANDED_IN))"' -c $(@D)/numbers.c, \
 	    -c $(HANDED_IN)) -o $@.o
 	$(Q)$(CONTAINED) $(LINK) $@.o $(BUILD)/libcommon.a -lm -o $@

@@ -29,12 +29,12 @@ lesson=step03_triangle/main.c
 same $lesson common/raster.c make_edge
 same $lesson common/raster.c triangle_setup edges_setup
 same $lesson common/raster.c triangle_span edges_span
-same $lesson common/raster.h triangle_weights edges_weights
+same $lesson common/given/triangles.h triangle_weights edges_weights
 
 lesson=step08_projection/main.c
 same $lesson common/geometry.c projection mat4_projection
 same $lesson common/geometry.c lookat mat4_lookat
-same $lesson common/geometry.h correct_weights perspective_weights
+same $lesson common/given/camera.h correct_weights perspective_weights
 for name in plane_distance mix cut_edge clip_at_plane; do
     same $lesson common/pipeline/clip.c $name
 done

@@ -11,6 +11,9 @@ link=$(sed -n 2p "$1")
 libraries=$(sed -n 3p "$1")
 step=${program##*/}
 place=${program%/*}
+number=${step#step}
+number=${number%%_*}
+compile="$compile -DCOURSE_LESSON=${number#0}"
 case $place in
 */numbers)
     source=tests/lessons/$step/numbers.c
