@@ -108,7 +108,8 @@ static struct message_line make_failure(const struct run_result *result, double 
     struct message_line reason;
     const struct run_limits limits = {.seconds = seconds};
     if (is_stopped(result)) {
-        snprintf(reason.text, sizeof reason.text, "the compiler was stopped: %s",
+        snprintf(reason.text, sizeof reason.text, "the compiler %s%s",
+                 result->end == RUN_KILLED ? "ended by " : "was ",
                  run_ended_by(result, &limits).text);
         return reason;
     }

@@ -213,10 +213,11 @@ static const struct task_result *find_next(const struct step_result *step) {
     for (size_t i = 0; i < step->task_count; i++) {
         const struct task_result *task = &step->tasks[i];
         const bool passes = result_calls_are_right(step, task->name.text);
-        int rank = task->state == RESULT_PASS || task->waits_for != NULL ? NOTHING
-                   : task->state == RESULT_TODO                          ? TO_DO
-                   : has_wrong_numbers(step, task)                       ? WRONG_CALLS
-                                                   : OTHERS + 2 * passes + task->perhaps;
+        const bool is_open = task->state != RESULT_PASS && task->state != RESULT_ERROR;
+        int rank = !is_open || task->waits_for != NULL ? NOTHING
+                   : task->state == RESULT_TODO        ? TO_DO
+                   : has_wrong_numbers(step, task)     ? WRONG_CALLS
+                                                       : OTHERS + 2 * passes + task->perhaps;
         next = rank < least ? task : next;
         least = rank < least ? rank : least;
     }
