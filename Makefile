@@ -26,13 +26,23 @@ ROOMS := $(wildcard $(foreach room,check student teacher bench upkeep,tests/$(ro
 # ---- What is said: a line a file, or with V=1 each command ----
 
 Q   = $(if $(V),,@)
-SAY = $(if $(V)$(SILENT),@:,@printf '$(if $(IN_PLACE),\r\033[K)%-6s %s$(if $(IN_PLACE),,\n)')
+SAY = $(if $(V)$(SILENT),@:,@printf '$(if $(IN_PLACE),\r\033[K)$(HOW_FAR)%-6s %s$(if $(IN_PLACE),,\n)')
 
 # On a terminal (make 4.1 and newer knows) the lines of a student's commands replace each other; what
 # follows them begins with $(END_LINE).
 SILENT   = $(findstring s,$(firstword -$(MAKEFLAGS)))
 IN_PLACE = $(if $(filter-out all check show open live watch hint $(STEPS),$(MAKECMDGOALS))$(V)$(SILENT),,$(MAKE_TERMOUT))
 END_LINE = $(if $(IN_PLACE),@printf '\r\033[K',@:)
+
+# How far a first build is, [17/70]: of the parts that were not there when it began. (What is built
+# again has no such number; nor has what other commands need.)
+FULLY   = $(if $(MAKECMDGOALS),$(filter $(STEPS),$(MAKECMDGOALS)$(if $(filter all,$(MAKECMDGOALS)), $(CHOSEN))),$(CHOSEN))
+QUICKLY = $(filter check show open live,$(MAKECMDGOALS))
+PARTS   = $(if $(FULLY),$(COMMON) $(FULLY:%=$(BUILD)/%) $(FULLY:%=$(BUILD)/out/%/.drawn)) \
+          $(if $(FULLY)$(QUICKLY),$(QUICK_COMMON) $(MODEL) $(MODEL:%=$(BUILD)/quick/common/sculptor/all.o)) \
+          $(if $(QUICKLY)$(MAKE_TERMOUT),$(CHECKER) $(QUICKLY:%=$(BUILD)/quick/tests/check/check.o))
+TO_DO   = $(eval TO_DO := $(filter-out $(wildcard $(PARTS)),$(PARTS)))$(TO_DO)
+HOW_FAR = $(eval BEGUN += .)$(if $(word $(words $(BEGUN)),$(TO_DO)),[$(words $(BEGUN))/$(words $(TO_DO))] )
 
 # ---- Pictures ----
 
@@ -44,6 +54,8 @@ programs: $(STEPS:%=$(BUILD)/%)
 models: $(BUILD)/models/bust.obj
 $(STEPS): %: $(BUILD)/out/%/.drawn
 
+# What draws lesson 1 needs no model.
+MODEL = $(if $(filter-out step01_%,$(CHOSEN)),$(BUILD)/models/bust.obj)
 $(BUILD)/out/%/.drawn: $(BUILD)/% $(BUILD)/models/bust.obj
 	$(SAY) DRAW $*
 	$(Q)$(BUILD)/$* -o $(@D) >/dev/null
@@ -60,18 +72,25 @@ $(BUILD)/models/bust.obj: $(BUILD)/sculptor
 WARNINGS = -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wstrict-prototypes \
            -Wmissing-prototypes -Wno-psabi $(CONSTANTS)
 # The course's constants are enums, also in sums with double, of which clang 19 begins to warn.
+ifneq ($(origin CONSTANTS),command line)
 CONSTANTS := $(shell $(CC) -Werror -Wenum-float-conversion -E -x c /dev/null >/dev/null 2>&1 && \
                      echo -Wno-enum-float-conversion)
+endif
 # One rounding for each operation, so that every machine computes the same bytes.
 STRICT   = -std=c17 -ffp-contract=off -fno-math-errno
 # Everything this processor can do, where the compiler knows it; no byte of a picture changes.
+ifneq ($(origin MARCH),command line)
 MARCH   := $(shell $(CC) -march=native -E -x c /dev/null >/dev/null 2>&1 && echo -march=native)
+endif
 THREADED = -pthread
 BUILT    = $(abspath $(BUILD))
 DEFINES  = -DCOURSE_BUILD='"$(BUILT)"' $(LANES:%=-DLANES=%) $(REAL:%=-DREAL=%)
 COMPILE  = $(CC) $(STRICT) $(WARNINGS) $(WERROR) $(CFLAGS) $(MARCH) $(THREADED) $(DEFINES) \
            -Icommon -MMD -MP
 LINK     = $(CC) $(CFLAGS) $(MARCH) $(THREADED)
+# What a make that is called at each save is told, so that it asks nobody for it.
+KNOWN    = $(foreach name,CONSTANTS MARCH MISSING,$(if $(filter file,$(origin $(name))),\
+             $(name)=$(filter-out temporary,$($(name)))))
 
 # The path of the build directory is a word of make and of the shell, and a string of C.
 ifneq ($(words $(BUILD))$(strip $(foreach sign,' " \,$(findstring $(sign),$(abspath $(BUILD))))),1)
@@ -91,7 +110,7 @@ $(BUILD)/flags: force
 
 # What the lesson of that number teaches is not given in it: common/given/later.h.
 TEACHES = $(patsubst %,-DCOURSE_LESSON=%,$(patsubst 0%,%,$(LESSON_NUMBER)))
-LESSON_NUMBER = $(patsubst step%,%,$(firstword $(subst _, ,$(filter $(STEPS),$(@F)))))
+LESSON_NUMBER = $(patsubst step%,%,$(firstword $(subst _, ,$(filter $(STEPS),$(basename $(@F))))))
 
 # It is linked under another name first: `make watch` may run the old one meanwhile. What the
 # compiler warns of is kept, because the check repeats it.
@@ -102,7 +121,7 @@ define BUILD_LESSON
 	$(Q)$(COMPILE) $(TEACHES) $$([ ! -t 2 ] || echo -fdiagnostics-color=always) $(1) \
 	    -MF $@.d -MT $@ -c $< -o $@.o 2>$@.said || { $(SAID) >&2; exit 1; }
 	@[ ! -s $@.said ] || $(SAID) >&2
-	$(Q)$(LINK) $(1) $@.o $(2) $(BUILD)/libcommon.a -lm -o $@.$$$$ && mv -f $@.$$$$ $@
+	$(Q)$(LINK) $(1) $@.o $(2) $(filter %.a,$^) -lm -o $@.$$$$ && mv -f $@.$$$$ $@
 endef
 SAID = { $(if $(IN_PLACE),echo;) cat $@.said; }
 $(STEPS:%=$(BUILD)/%): $(BUILD)/%: %/main.c $(BUILD)/%.text $(BUILD)/libcommon.a $(BUILD)/flags
@@ -117,20 +136,61 @@ $(STEPS:%=$(BUILD)/%.text): $(BUILD)/%.text: force
 
 # ---- What all lessons share ----
 
-COMMON   = $(patsubst %.c,$(BUILD)/%.o,$(wildcard common/*.c common/[!s]*/*.c))
-SCULPTOR = $(patsubst %.c,$(BUILD)/%.o,$(wildcard common/sculptor/*.c))
+COMMON = $(patsubst %.c,$(BUILD)/%.o,$(wildcard common/*.c common/[!s]*/*.c))
 
 $(BUILD)/libcommon.a: $(COMMON)
+$(BUILD)/libcommon.a $(BUILD)/quick/libcommon.a:
 	@rm -f $@
 	$(Q)$(AR) qcs $@ $^
-
-$(BUILD)/sculptor: $(SCULPTOR) $(BUILD)/libcommon.a
-	$(Q)$(LINK) $^ -lm -o $@.new && mv -f $@.new $@
 
 $(BUILD)/%.o: %.c $(BUILD)/flags
 	@mkdir -p $(@D)
 	$(SAY) CC $<
 	$(Q)$(COMPILE) $(INCLUDES) -c $< -o $@
+
+# ---- The same, built in a third of the time ----
+
+# What is drawn once and not timed need not be as fast as it can be: the check judges build/quick/STEP,
+# and make show, open, live and watch draw with it. Each byte that it draws is the same. What is always
+# inlined elsewhere are functions there. CFLAGS=... hold here, too.
+QUICK      = $(if $(filter file,$(origin CFLAGS)),-O2 -Dalways_inline=unused -Dflatten=unused)
+QUICK_ROOM = $(if $(filter file,$(origin CFLAGS)),$(if $(filter %/sculptor/all.o,$@),-O2,-O1))
+
+# Until make builds it in full, build/STEP is this program too, so that it always is what was judged.
+# (Its date says that make has to.)
+define LEND_QUICK
+	@[ -n "$$(find $(BUILD)/$* -newer $(BUILD)/$*.text 2>/dev/null)" ] || { \
+	    cp $@ $(BUILD)/$*.$$$$ && touch -t 200001010000 $(BUILD)/$*.$$$$ && mv -f $(BUILD)/$*.$$$$ $(BUILD)/$*; }
+endef
+$(STEPS:%=$(BUILD)/quick/%): $(BUILD)/quick/%: %/main.c $(BUILD)/%.text $(BUILD)/quick/libcommon.a \
+                                               $(BUILD)/flags
+	$(call BUILD_LESSON,$(QUICK) $(LESSON_FLAGS),$(LESSON_OBJECTS))
+	$(LEND_QUICK)
+
+# A room is compiled as if it were one file, all.o: so no two of its files may give the same name to
+# different things. Each system shows it all that it has, and not what the first file asks for.
+QUICK_ROOMS := $(sort $(patsubst %/,$(BUILD)/quick/%/all.o,$(dir $(wildcard common/*/*.c))))
+$(foreach room,$(QUICK_ROOMS),$(eval $(room): $(wildcard $(room:$(BUILD)/quick/%/all.o=%/*.c))))
+define COMPILE_ROOM
+	@mkdir -p $(@D)
+	$(SAY) CC $(@D:$(BUILD)/quick/%=%)
+	$(Q)printf '#include "%s"\n' $(filter $(wildcard common/*/*.c) $(CHECKER_FILES),$^) | $(COMPILE) $(QUICK_ROOM) $(INCLUDES) \
+	    -Wno-shadow -Wno-sign-conversion -D_GNU_SOURCE -D_DARWIN_C_SOURCE -include stdio.h -MF $(@:.o=.d) -MT $@ -x c -c - -o $@
+endef
+$(QUICK_ROOMS): $(BUILD)/flags
+	$(COMPILE_ROOM)
+
+$(BUILD)/quick/%.o: %.c $(BUILD)/flags
+	@mkdir -p $(@D)
+	$(SAY) CC $<
+	$(Q)$(COMPILE) $(QUICK_ROOM) $(INCLUDES) -c $< -o $@
+
+QUICK_COMMON = $(patsubst %.c,$(BUILD)/quick/%.o,$(wildcard common/*.c)) \
+               $(filter-out %/sculptor/all.o,$(QUICK_ROOMS))
+$(BUILD)/quick/libcommon.a: $(QUICK_COMMON)
+
+$(BUILD)/sculptor: $(BUILD)/quick/common/sculptor/all.o $(BUILD)/quick/libcommon.a
+	$(Q)$(LINK) $^ -lm -o $@.new && mv -f $@.new $@
 
 # ---- make help, make clean, and how make works here ----
 

@@ -1,5 +1,5 @@
 /* How a program gets its memory from the system; see large_pages.h. */
-#define _DEFAULT_SOURCE /* for madvise() */
+#define _DEFAULT_SOURCE 1 /* for madvise() */
 
 #include "base/large_pages.h"
 

@@ -1,5 +1,5 @@
 /* All systems but Windows: see platform.h. */
-#define _DEFAULT_SOURCE /* POSIX alone does not tell the number of processors */
+#define _DEFAULT_SOURCE 1 /* POSIX alone does not tell the number of processors */
 #include "base/platform.h"
 
 #ifndef _WIN32

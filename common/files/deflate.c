@@ -403,7 +403,7 @@ enum {
     COPY_BLOCK = 16
 };
 
-static const char cut_off[] = "compressed data cut off";
+static const char data_cut_off[] = "compressed data cut off";
 static const char too_large[] = "compressed data larger than the picture";
 
 /* Bits of a stream. Zeros follow behind its end; a reader finds out later that it took some. Above
@@ -440,7 +440,7 @@ static bool is_cut_off(const struct bit_reader *in) {
 }
 
 static bool fail_with(struct decompressor *d, const char *problem) {
-    d->problem = is_cut_off(&d->in) ? cut_off : problem;
+    d->problem = is_cut_off(&d->in) ? data_cut_off : problem;
     return false;
 }
 
@@ -520,7 +520,7 @@ static bool copy_stored(struct decompressor *d) {
     struct bit_reader *in = &d->in;
     ptrdiff_t left = in->end - in->next + (ptrdiff_t)(in->count / 8) - (ptrdiff_t)in->missing;
     if (left < 4) {
-        return fail_with(d, cut_off);
+        return fail_with(d, data_cut_off);
     }
     const uint8_t *from = in->end - left; /* what was taken, but not used, is there again */
     size_t size = from[0] | (size_t)from[1] << 8;
@@ -531,7 +531,7 @@ static bool copy_stored(struct decompressor *d) {
         return fail_with(d, too_large);
     }
     if (size > (size_t)left - 4) {
-        return fail_with(d, cut_off);
+        return fail_with(d, data_cut_off);
     }
     if (size > 0) {
         memcpy(d->out + d->out_size, from + 4, size);
@@ -736,7 +736,7 @@ static bool read_stream(struct decompressor *d) {
             return false;
         }
         if (is_cut_off(&d->in)) {
-            return fail_with(d, cut_off);
+            return fail_with(d, data_cut_off);
         }
     }
     if (d->out_size < d->out_limit) {

@@ -235,8 +235,8 @@ static bool read_vertices(struct model_reader *reader, const struct off_kind *ki
 
 /* ---- Faces ---- */
 
-static bool read_corner(struct model_reader *reader, const struct off_kind *kind,
-                        struct word word) {
+static bool read_off_corner(struct model_reader *reader, const struct off_kind *kind,
+                            struct word word) {
     size_t vertices = reader->model->position_count;
     int64_t index;
     if (!word_to_integer(word, &index)) {
@@ -260,7 +260,7 @@ static bool read_polygon(struct model_reader *reader, const struct off_kind *kin
             return text_error(reader->error, reader->line, "face has %zu corners, not %zu", i,
                               size);
         }
-        if (!read_corner(reader, kind, word)) {
+        if (!read_off_corner(reader, kind, word)) {
             return false;
         }
     }
@@ -297,8 +297,8 @@ static bool read_face_color(struct model_reader *reader, double color[3], bool *
 }
 
 /* "n i1 ... in", then perhaps a colour. */
-static bool read_face(struct model_reader *reader, const struct off_kind *kind, size_t number,
-                      size_t total) {
+static bool read_off_face(struct model_reader *reader, const struct off_kind *kind, size_t number,
+                          size_t total) {
     struct word word;
     size_t size = 0, first = reader->model->face_count;
     double color[3];
@@ -340,15 +340,15 @@ static bool read_all(struct model_reader *reader, unsigned parts, struct off_gue
         return false;
     }
     for (size_t i = 0; i < counts.faces; i++) {
-        if (!read_face(reader, &kind, i, counts.faces)) {
+        if (!read_off_face(reader, &kind, i, counts.faces)) {
             return false;
         }
     }
     return read_end(reader, counts.faces) && reader_finish(reader);
 }
 
-static bool decode(struct model *model, const void *data, size_t size, unsigned parts,
-                   struct off_guess guess, bool *in_doubt, struct error *error) {
+static bool decode_off(struct model *model, const void *data, size_t size, unsigned parts,
+                       struct off_guess guess, bool *in_doubt, struct error *error) {
     struct model_reader reader = {.model = model, .error = error};
     bool done = text_begin(&reader.text, data, size, false, error) &&
                 read_all(&reader, parts, guess, in_doubt);
@@ -370,11 +370,11 @@ bool off_decode(struct model *model, const void *data, size_t size, unsigned par
     if (peek_keyword(data, size, &next) && word_begins(next, "BINARY")) { /* bytes follow */
         return text_error(error, 1, "a binary OFF file: only text can be read");
     }
-    return decode(model, data, size, parts, (struct off_guess){0}, &in_doubt, error) ||
+    return decode_off(model, data, size, parts, (struct off_guess){0}, &in_doubt, error) ||
            (error->line > 0 && in_doubt &&
-            decode(model, data, size, parts, (struct off_guess){.edges = true}, &in_doubt,
-                   &again)) ||
+            decode_off(model, data, size, parts, (struct off_guess){.edges = true}, &in_doubt,
+                       &again)) ||
            (error->line > 0 && again.line > 0 &&
-            decode(model, data, size, parts, (struct off_guess){.colored = true}, &in_doubt,
-                   &again));
+            decode_off(model, data, size, parts, (struct off_guess){.colored = true}, &in_doubt,
+                       &again));
 }

@@ -240,7 +240,7 @@ static bool check_depth(const struct png *png, struct error *error) {
     return true;
 }
 
-static bool read_header(struct png *png, const struct chunk *chunk, struct error *error) {
+static bool read_ihdr(struct png *png, const struct chunk *chunk, struct error *error) {
     if (!is_type(chunk, "IHDR") || chunk->size != HEADER_SIZE) {
         return error_set(error, "a PNG that does not begin with a header");
     }
@@ -354,7 +354,7 @@ static bool read_chunks(struct png *png, const uint8_t *data, size_t size, struc
     if (!png_has_signature(data, size)) {
         return error_set(error, "not a PNG");
     }
-    if (!next_chunk(data, size, &position, &chunk, error) || !read_header(png, &chunk, error)) {
+    if (!next_chunk(data, size, &position, &chunk, error) || !read_ihdr(png, &chunk, error)) {
         return false;
     }
     while (!png->ended) {
@@ -385,7 +385,7 @@ static unsigned sample_at(const uint8_t *row, size_t i, unsigned depth) {
 }
 
 /* The sample as a level, rounded to nearest. */
-static uint8_t level_of(unsigned sample, unsigned depth) {
+static uint8_t level_of_sample(unsigned sample, unsigned depth) {
     unsigned greatest = (1u << depth) - 1;
     return (uint8_t)((sample * 255 + greatest / 2) / greatest);
 }
@@ -401,7 +401,7 @@ static void read_pixel(const struct png *png, const uint8_t *row, size_t x, uint
     }
     for (size_t i = 0; i < channels; i++) {
         unsigned sample = sample_at(row, x * channels + i, png->depth);
-        level[i] = level_of(sample, png->depth);
+        level[i] = level_of_sample(sample, png->depth);
         clear = clear && i < 3 && sample == png->clear[i];
     }
     bool colored = channels >= 3, own_alpha = channels % 2 == 0;
@@ -494,7 +494,7 @@ static bool unpack_rows(const struct png *png, uint8_t *raw, const uint8_t *zero
 static bool decode_pixels(const struct png *png, struct image *image, struct error *error) {
     size_t row_size = row_bytes(png, png->width);
     uint64_t raw_size = raw_bytes(png);
-    assert(raw_size > 0); /* read_header() lets no empty image pass */
+    assert(raw_size > 0); /* read_ihdr() lets no empty image pass */
     if (raw_size / DEFLATE_RATIO_LIMIT > png->compressed.size || raw_size > SIZE_MAX / 2) {
         return error_set(error, "a PNG cut off: %zu bytes cannot hold %zux%zu pixels",
                          png->compressed.size, png->width, png->height);

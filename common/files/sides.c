@@ -92,7 +92,7 @@ static bool wind_alike(struct model *model) {
 /* ---- The other sides ---- */
 
 /* Room for twice as many faces and normals. */
-static bool reserve(struct model *model) {
+static bool reserve_sides(struct model *model) {
     size_t faces = model->face_count, colors = faces, materials = faces;
     size_t normals = model->normal_count, twice = 2 * faces;
     return faces < MODEL_NONE / 2 && normals < MODEL_NONE / 2 &&
@@ -123,7 +123,7 @@ static bool looks_inwards(const struct model *model, size_t face) {
     return sum < 0;
 }
 
-static void turn_normals(struct face *face, uint32_t opposite) {
+static void turn_face_normals(struct face *face, uint32_t opposite) {
     for (int i = 0; i < 3; i++) {
         uint32_t *normal = &face->corner[i].normal;
         *normal = *normal == MODEL_NONE ? MODEL_NONE : *normal + opposite;
@@ -135,7 +135,7 @@ static void add_other_faces(struct model *model, uint32_t opposite) {
     for (size_t i = model->face_count; i-- > 0;) {
         struct face face = model->faces[i];
         struct face other = {{face.corner[0], face.corner[2], face.corner[1]}};
-        turn_normals(looks_inwards(model, i) ? &face : &other, opposite);
+        turn_face_normals(looks_inwards(model, i) ? &face : &other, opposite);
         model->faces[2 * i] = face;
         model->faces[2 * i + 1] = other;
         for (size_t k = 2; model->face_materials != NULL && k-- > 0;) {
@@ -155,7 +155,7 @@ bool model_add_other_sides(struct model *model, bool need_normals, struct error 
     if (need_normals && !model_need_normals(model, error)) {
         return false;
     }
-    if (!reserve(model)) {
+    if (!reserve_sides(model)) {
         return error_out_of_memory(error);
     }
     uint32_t opposite = (uint32_t)model->normal_count;

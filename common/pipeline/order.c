@@ -10,11 +10,11 @@ enum { FIRST_ROUND = 4, MANY = 16 };
 /* ---- Boxes ---- */
 
 /* In a model's own space: the least and the greatest coordinates. */
-struct box {
+struct model_box {
     struct vec3 side[2];
 };
 
-static struct box find_box(const struct model *model) {
+static struct model_box find_box(const struct model *model) {
     struct vec3 least = model->positions[0], most = least;
     for (size_t i = 1; i < model->position_count; i++) {
         struct vec3 p = model->positions[i];
@@ -23,12 +23,12 @@ static struct box find_box(const struct model *model) {
         most = (struct vec3){p.x > most.x ? p.x : most.x, p.y > most.y ? p.y : most.y,
                              p.z > most.z ? p.z : most.z};
     }
-    return (struct box){{least, most}};
+    return (struct model_box){{least, most}};
 }
 
 /* More than any roundings of a clip coordinate of a point in the box: these amount to a few ulp of
  * the sum of its terms. */
-static double find_slack(const struct mat4 *to_clip, const struct box *box) {
+static double find_slack(const struct mat4 *to_clip, const struct model_box *box) {
     const struct vec3 *a = &box->side[0], *b = &box->side[1];
     double farthest = fmax(fmax(fmax(-a->x, b->x), fmax(-a->y, b->y)), fmax(-a->z, b->z)), most = 0;
     for (int row = 0; row < 4; row++) {
@@ -58,7 +58,7 @@ static unsigned beyond_sides(struct vec4 p) {
 /* Where the box may be on the screen: nowhere if it is beyond a side of the view. Exactly, a side's
  * x + w (or the like), and a quotient before the near plane, are least and greatest at corners of
  * the box. What is computed may be off by roundings. */
-static struct screen_place find_place(const struct draw_call *call, const struct box *box) {
+static struct screen_place find_place(const struct draw_call *call, const struct model_box *box) {
     const struct rectangle *v = &call->viewport;
     struct screen_place place = {columns_of(v), rows_of(v), INFINITY};
     double slack = find_slack(&call->to_clip, box), largest = 0, least_w = INFINITY;
@@ -131,7 +131,7 @@ static int compare_calls(const void *left, const void *right) {
 /* List the calls that may cover pixels, and count the others. */
 static void list_calls(struct frame *frame) {
     const struct model *of = NULL; /* many draw one model again and again */
-    struct box box = {{{0, 0, 0}, {0, 0, 0}}};
+    struct model_box box = {{{0, 0, 0}, {0, 0, 0}}};
     uint64_t *stats = frame->pipeline->stats;
     frame->order_count = 0;
     for (size_t i = 0; i < frame->call_count; i++) {

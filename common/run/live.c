@@ -98,7 +98,7 @@ void live_write_frame(const struct image *image, double milliseconds, const stru
 /* ---- Requests ---- */
 
 /* Append the next line, with its end. False at the end of the input, or without `enough` memory. */
-static bool read_line(FILE *in, struct bytes *line, bool *enough) {
+static bool read_whole_line(FILE *in, struct bytes *line, bool *enough) {
     char piece[4096];
     bool any = false, ended = false;
     while (!ended && fgets(piece, sizeof piece, in) != NULL) {
@@ -121,7 +121,7 @@ static void split_line(struct live_request *request) {
 
 /* Read a text scene up to its end. */
 static bool read_text(FILE *in, struct bytes *text, bool *enough) {
-    for (size_t begin = 0; read_line(in, text, enough); begin = text->size) {
+    for (size_t begin = 0; read_whole_line(in, text, enough); begin = text->size) {
         const char *line = (const char *)text->data + begin;
         size_t length = text->size - begin;
         if ((length == 4 && memcmp(line, "end\n", 4) == 0) ||
@@ -137,7 +137,7 @@ static bool read_text(FILE *in, struct bytes *text, bool *enough) {
 static bool read_request(FILE *in, struct live_request *request, bool *enough) {
     request->line.size = request->text.size = 0;
     request->argc = 1;
-    bool read = read_line(in, &request->line, enough);
+    bool read = read_whole_line(in, &request->line, enough);
     *enough = *enough && bytes_append(&request->line, "", 1);
     if (!read || !*enough) {
         return false;

@@ -54,10 +54,10 @@ void mesh_add_face(struct mesh *mesh, struct mesh_corner a, struct mesh_corner b
 
 /* ---- Both halves of the bust ---- */
 
-enum { LEFT, RIGHT, NONE = -1, BASE_NORMAL = 0 };
+enum { LEFT, RIGHT, NOT_YET = -1, BASE_NORMAL = 0 };
 
 /* What a grid point has become in the mesh on either side. Where both sides share it, that on the
- * left counts; NONE until it is needed. Normal i + 1 is that of place i. */
+ * left counts; NOT_YET until it is needed. Normal i + 1 is that of place i. */
 struct grid_corner {
     int place[2], uv[2];
 };
@@ -67,13 +67,13 @@ static struct mesh_corner add_grid_corner(struct mesh *mesh, const struct surfac
     int column = surface_column(surface, vertex), row = surface_row(surface, vertex);
     int *place = &made->place[surface_is_in_mirror(surface, vertex) ? LEFT : side];
     int *uv = &made->uv[column == 0 ? LEFT : side];
-    if (*place == NONE) {
+    if (*place == NOT_YET) {
         struct vec3 p = surface->points[vertex].place;
         p.x = side == LEFT ? p.x : -p.x;
         *place = mesh_add_place(mesh, p);
         mesh_add_normal(mesh, (struct vec3){0, 0, 0});
     }
-    if (*uv == NONE && !surface_is_pole(surface, vertex)) {
+    if (*uv == NOT_YET && !surface_is_pole(surface, vertex)) {
         double u = 0.5 * column / surface->columns;
         *uv = mesh_add_uv(mesh, side == LEFT ? 0.5 + u : 0.5 - u, (double)row / surface->rows);
     }
@@ -155,7 +155,7 @@ bool mesh_from_surface(struct mesh *mesh, const struct surface *surface,
         return false;
     }
     for (size_t i = 0; i < grid; i++) {
-        corners[i] = (struct grid_corner){{NONE, NONE}, {NONE, NONE}};
+        corners[i] = (struct grid_corner){{NOT_YET, NOT_YET}, {NOT_YET, NOT_YET}};
     }
     mesh_add_normal(mesh, (struct vec3){0, -1, 0}); /* BASE_NORMAL */
     for (int side = LEFT; side <= RIGHT; side++) {

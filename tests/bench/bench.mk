@@ -7,7 +7,7 @@
 .PHONY: bench charts bench-frame counts
 
 # Stress and benchmarks share out their cases with OpenMP, where the compiler has it.
-OPENMP := $(shell $(CC) -fopenmp -E -x c /dev/null >/dev/null 2>&1 && echo -fopenmp)
+OPENMP = $(eval OPENMP := $$(shell $$(CC) -fopenmp -E -x c /dev/null >/dev/null 2>&1 && echo -fopenmp))$(OPENMP)
 $(BUILD)/tests/lessons/%.o $(BUILD)/tests/upkeep/stress/%.o: INCLUDES = -Itests $(OPENMP)
 
 OBJECTS_OF = $(patsubst %.c,$(BUILD)/%.o,$(wildcard $(1:%=tests/%/*.c)))

@@ -72,15 +72,15 @@ static struct message_line first_error(const char *output) {
     return drawn_message(output);
 }
 
-/* Let make build the target in the root. */
-static bool call_make(const struct options *options, const char *target,
+/* Let make build the target in the root, and another one, which may be NULL, at the same time. */
+static bool call_make(const struct options *options, const char *target, const char *other,
                       const struct run_limits *limits, struct run_result *result,
                       struct error *error) {
     char script[DRAWN_PATH_LIMIT];
     if ((size_t)snprintf(script, sizeof script, "%s \"$@\"", options->make) >= sizeof script) {
         return error_set(error, "the make command is too long");
     }
-    const char *arguments[] = {"sh", "-c", script, "make", "-s", target, NULL};
+    const char *arguments[] = {"sh", "-c", script, "make", "-s", target, other, NULL};
     struct run_command command = {
         .arguments = arguments,
         .locale = "C", /* so that a compiler writes "error:" and not its translation */
@@ -186,16 +186,27 @@ static void find_warnings(struct build_result *result) {
     }
 }
 
-bool build_step(const struct options *options, const char *step, struct build_result *result,
-                struct error *error) {
+bool build_numbers(const struct options *options, const char *name, struct build_result *result,
+                   struct error *error) {
     char program[DRAWN_PATH_LIMIT];
+    snprintf(program, sizeof program, "%s/%s", options->programs, name);
+    *result = (struct build_result){.reason = {""}};
+    return access(program, X_OK) == 0 || build_step(options, name, false, result, error);
+}
+
+bool build_step(const struct options *options, const char *step, bool has_numbers,
+                struct build_result *result, struct error *error) {
+    char program[DRAWN_PATH_LIMIT], numbers[DRAWN_PATH_LIMIT], tried[DRAWN_PATH_LIMIT + 8];
     snprintf(program, sizeof program, "%s/%s", options->programs, step);
+    snprintf(numbers, sizeof numbers, "%s/numbers/%s", options->programs, step);
+    snprintf(tried, sizeof tried, "%s.tried", numbers);
     const struct run_limits limits = {.seconds = options->build_seconds,
                                       .file_bytes = run_program_limits(0).file_bytes,
                                       .memory_bytes = (size_t)COMPILER_GIGABYTES << 30};
     struct run_result end = {.end = RUN_EXITED};
     *result = (struct build_result){.reason = {""}};
-    bool done = remove_old(program, error) && call_make(options, program, &limits, &end, error);
+    bool done = remove_old(program, error) && (!has_numbers || remove_old(numbers, error)) &&
+                call_make(options, program, has_numbers ? tried : NULL, &limits, &end, error);
     if (done && !make_succeeded(&end)) {
         done = !lacked_room(options, (const char *)end.messages.data, error);
         if (!lacks_source(options, step, (const char *)end.messages.data, &result->reason)) {

@@ -28,9 +28,16 @@ struct build_result {
 
 /* Build the step's program. Only when the program that is there is, byte for byte, what make has
  * built without a warning (its copy in DIR/built), make decides whether it must be built again:
- * every other one is removed first. The caller frees result->messages, also on an error. False,
- * with a message, when the check itself cannot do that. */
-bool build_step(const struct options *options, const char *step, struct build_result *result,
-                struct error *error);
+ * every other one is removed first. Where the step `has_numbers`, to call its functions with, make
+ * also tries to build the program that does so, numbers/STEP, at the same time and silently. The
+ * caller frees result->messages, also on an error. False, with a message, when the check itself
+ * cannot do that. */
+bool build_step(const struct options *options, const char *step, bool has_numbers,
+                struct build_result *result, struct error *error);
+
+/* After that: build the program of that name, numbers/STEP, where make has not; why it could not be
+ * is said now. */
+bool build_numbers(const struct options *options, const char *name, struct build_result *result,
+                   struct error *error);
 
 #endif

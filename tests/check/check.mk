@@ -4,14 +4,14 @@
 ##   make check STEP=05 SANITIZE=1   the same, and in which line a program goes wrong
 
 # The parts of the check; the files with a main() are not among them.
-CHECKER = $(patsubst %.c,$(BUILD)/%.o,$(filter-out %/check.c %/looks_make.c %/figure_make.c \
-              tests/check/test_%.c,$(wildcard tests/check/*.c tests/check/page/*.c))) \
-          $(BUILD)/tests/check/page/page_files.o
+CHECKER_FILES = $(filter-out %/check.c %/looks_make.c %/figure_make.c tests/check/test_%.c, \
+                    $(wildcard tests/check/*.c tests/check/page/*.c)) $(BUILD)/tests/check/page/page_files.c
+CHECKER       = $(BUILD)/quick/tests/check/all.o
 
 # The check builds the lessons itself: one that does not build is a finding, not the end.
 # SANITIZE=1: their main.c with the sanitizers, which tell in which line a program goes wrong. They
 # are slow; memory that is not freed at the end is no fault here, and a failed assert() is.
-CHECKED   = $(BUILD)$(if $(SANITIZE),/sanitized)
+CHECKED   = $(BUILD)/$(if $(SANITIZE),sanitized,quick)
 SANITIZED = -O1 -g1 -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
 ifneq ($(HIDDEN),)
 ifeq ($(wildcard tests/teacher/hidden),)
@@ -19,39 +19,48 @@ $(error HIDDEN=$(HIDDEN): hidden scenes are drawn where the solutions are)
 endif
 endif
 .PHONY: check
-check: $(BUILD)/check models $(HIDDEN:%=$(BUILD)/hidden) $(if $(MAKE_TERMOUT),$(BUILD)/show)
+check: $(MODEL) $(BUILD)/check $(HIDDEN:%=$(BUILD)/hidden) $(if $(MAKE_TERMOUT),$(BUILD)/show)
 	$(END_LINE)
 	@$(if $(SANITIZE),ASAN_OPTIONS=detect_leaks=0:handle_abort=1 UBSAN_OPTIONS=print_stacktrace=1 \
 	                CHECK_TIMEOUT=$${CHECK_TIMEOUT:-60}) \
-	$(BUILD)/check --programs $(CHECKED) --differences $(CHECKED)/differences --make '$(MAKE) -s' \
+	$(BUILD)/check --programs $(CHECKED) --differences $(BUILD)$(if $(SANITIZE),/sanitized)/differences \
+	    --make '$(MAKE) -s $(KNOWN)' \
 	    $(if $(SANITIZE),--sanitized) \
 	    $(if $(REPORT),--junit $(REPORT).xml --json $(REPORT).json --html $(REPORT).html) \
 	    $(KEEP_POINTS) $(STEP) $(THEN_HIDDEN)
 
 $(STEPS:%=$(BUILD)/sanitized/%): $(BUILD)/sanitized/%: %/main.c $(BUILD)/%.text \
-                                                       $(BUILD)/libcommon.a $(BUILD)/flags
+                                                       $(BUILD)/quick/libcommon.a $(BUILD)/flags
 	@mkdir -p $(@D)
 	$(call BUILD_LESSON,$(SANITIZED))
 
 # A lesson's functions called with numbers; the sanitizers know more of what ends them. (-O0 builds
-# fastest; gcc 12 cannot build vectors of doubles with it.)
-NUMBERS = $(patsubst tests/lessons/%/numbers.c,%,$(wildcard tests/lessons/*/numbers.c))
+# fastest; gcc 12 cannot build vectors of doubles with it.) NAME.tried is never there: to make it is
+# to try NAME, and to say nothing.
+CALLER  = $(@:.tried=)
+CALLS   = tests/lessons/%/numbers.c $(BUILD)/%.text $(BUILD)/quick/libcommon.a $(BUILD)/flags
 define BUILD_NUMBERS
 	@mkdir -p $(@D)
-	$(Q)$(COMPILE) $(TEACHES) $(if $(REAL),-O1,-O0) -w -Itests $(1) -MF $@.d -MT $@ -c $< -o $@.o
-	$(Q)$(LINK) $(1) $@.o $(BUILD)/libcommon.a -lm -o $@.$$$$ && mv -f $@.$$$$ $@
+	$(Q){ $(COMPILE) $(TEACHES) $(if $(REAL),-O1,-O0) -w -Itests $(1) -MF $(CALLER).d -MT $(CALLER) \
+	    -c $< -o $(CALLER).o && $(LINK) $(1) $(CALLER).o $(filter %.a,$^) -lm -o $(CALLER).$$$$ && \
+	    mv -f $(CALLER).$$$$ $(CALLER); } $(if $(filter %.tried,$@),>/dev/null 2>&1 || :)
 endef
-$(NUMBERS:%=$(BUILD)/numbers/%): $(BUILD)/numbers/%: tests/lessons/%/numbers.c $(BUILD)/%.text \
-                                                     $(BUILD)/libcommon.a $(BUILD)/flags
+$(BUILD)/quick/numbers/%.tried: $(CALLS)
 	$(call BUILD_NUMBERS)
-$(NUMBERS:%=$(BUILD)/sanitized/numbers/%): $(BUILD)/sanitized/numbers/%: \
-        tests/lessons/%/numbers.c $(BUILD)/%.text $(BUILD)/libcommon.a $(BUILD)/flags
+$(BUILD)/quick/numbers/%: $(CALLS)
+	$(call BUILD_NUMBERS)
+$(BUILD)/sanitized/numbers/%.tried: $(CALLS)
+	$(call BUILD_NUMBERS,$(SANITIZED))
+$(BUILD)/sanitized/numbers/%: $(CALLS)
 	$(call BUILD_NUMBERS,$(SANITIZED))
 
-$(BUILD)/check: $(BUILD)/tests/check/check.o $(CHECKER) $(BUILD)/libcommon.a
+$(BUILD)/check: $(BUILD)/quick/tests/check/check.o $(CHECKER) $(BUILD)/quick/libcommon.a
 	$(Q)$(LINK) $^ -lm -o $@.$$$$ && mv -f $@.$$$$ $@
 
-$(BUILD)/tests/%.o: INCLUDES = -Itests
+$(CHECKER): $(CHECKER_FILES) $(BUILD)/flags
+	$(COMPILE_ROOM)
+
+$(BUILD)/tests/%.o $(BUILD)/quick/tests/%.o: INCLUDES = -Itests
 
 # Style and script of the pages, as strings of C.
 PAGE_FILES = css=tests/check/page/page.css still=tests/check/page/still.js \
@@ -69,6 +78,3 @@ $(BUILD)/tests/check/page/page_files.c: $(foreach file,$(PAGE_FILES),$(lastword 
 	       sed 's/[\\"]/\\&/g; s/.*/    "&\\n",/'; \
 	       echo '    NULL};'; \
 	   done; } >$@
-
-$(BUILD)/tests/check/page/page_files.o: $(BUILD)/tests/check/page/page_files.c $(BUILD)/flags
-	$(Q)$(COMPILE) $(INCLUDES) -c $< -o $@

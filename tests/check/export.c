@@ -30,7 +30,7 @@ static void put_plain(struct writer *writer, const char *text) {
     writer->failed = writer->failed || !bytes_append(writer->report, text, strlen(text));
 }
 
-static bool finish(const struct writer *writer, struct error *error) {
+static bool finish_report(const struct writer *writer, struct error *error) {
     return !writer->failed || error_out_of_memory(error);
 }
 
@@ -121,7 +121,7 @@ bool export_junit(struct bytes *report, const struct check_result *result, struc
         junit_step(&writer, result, &result->steps[i]);
     }
     put(&writer, "</testsuites>\n");
-    return finish(&writer, error);
+    return finish_report(&writer, error);
 }
 
 /* ---- JSON ---- */
@@ -225,5 +225,5 @@ bool export_json(struct bytes *report, const struct check_result *result, struct
         put(&writer, i + 1 < result->step_count ? ",\n" : "\n");
     }
     put(&writer, "  ]\n}\n");
-    return finish(&writer, error);
+    return finish_report(&writer, error);
 }

@@ -739,6 +739,14 @@ static void set_not_built(const struct judging *judging, const struct message_li
     }
 }
 
+static bool has_numbers(const struct step_result *result) {
+    bool found = false;
+    for (size_t i = 0; i < result->item_count; i++) {
+        found |= result->items[i].is_numbers;
+    }
+    return found;
+}
+
 static bool build_and_judge(struct judging *judging, struct error *error) {
     struct step_result *result = judging->result;
     struct build_result built;
@@ -752,7 +760,8 @@ static bool build_and_judge(struct judging *judging, struct error *error) {
         set_not_built(judging, &reason);
         return true;
     }
-    bool done = build_step(judging->options, judging->step->name, &built, error);
+    bool done =
+        build_step(judging->options, judging->step->name, has_numbers(result), &built, error);
     if (done && built.reason.text[0] != '\0') {
         result->messages = built.messages;
         result->build_stopped = built.stopped;

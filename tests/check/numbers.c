@@ -41,7 +41,7 @@ struct calling {
     bool begun; /* it has called something */
 };
 
-static struct called_task *find_task(const struct calling *calling, const char *name) {
+static struct called_task *find_called_task(const struct calling *calling, const char *name) {
     for (size_t i = 0; i < calling->count; i++) {
         if (strcmp(calling->tasks[i].item->counter, name) == 0) {
             return &calling->tasks[i];
@@ -113,7 +113,7 @@ static void set_ended(struct calling *calling, struct called_task *task,
 static bool judge_line(struct calling *calling, char *line, const struct run_result *end) {
     char *columns[NUMBER_COLUMNS];
     size_t count = split(line, columns);
-    struct called_task *task = count > 3 ? find_task(calling, columns[1]) : NULL;
+    struct called_task *task = count > 3 ? find_called_task(calling, columns[1]) : NULL;
     if (task == NULL) {
         return false;
     }
@@ -220,7 +220,7 @@ static void finish(const struct calling *calling, const char *source) {
 
 static bool build_and_call(struct calling *calling, const char *source, struct error *error) {
     struct build_result built;
-    bool done = build_step(calling->options, calling->name, &built, error);
+    bool done = build_numbers(calling->options, calling->name, &built, error);
     if (done && built.reason.text[0] != '\0') {
         set_not_called(calling, built.reason.text);
     } else if (done && run_caught_signal() == 0) {

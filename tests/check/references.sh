@@ -22,7 +22,7 @@ wrong() {
 
 # is_exact STEP [SCENE]: does the program draw just this reference, or all of the step?
 is_exact() {
-    "$build/check" --programs "$build" --differences "$work/differences" --make "$make" \
+    "$build/check" --programs "$build/quick" --differences "$work/differences" --make "$make" \
         --only "$2" "$1" >"$work/said" 2>&1
 }
 

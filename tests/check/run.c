@@ -1,5 +1,5 @@
 /* What is said of a program's end, on every system: see run.h. */
-#define _DEFAULT_SOURCE /* SIGXFSZ and others */
+#define _DEFAULT_SOURCE 1 /* SIGXFSZ and others */
 #include "run.h"
 
 #include <signal.h>

@@ -1,7 +1,7 @@
 /* All systems but Windows: see run.h. */
 #ifdef __linux__ /* POSIX.1-2008 with nftw(), and RLIMIT_NPROC; other systems have them unasked */
-#define _DEFAULT_SOURCE
-#define _XOPEN_SOURCE 700
+#define _DEFAULT_SOURCE 1
+#define _XOPEN_SOURCE   700
 #endif
 
 #include "run.h"

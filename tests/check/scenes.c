@@ -132,7 +132,8 @@ enum role { ROLE_SHOWN, ROLE_NEEDED, ROLE_SPOILER };
 static const char role_signs[] = "\0+~";
 
 /* Add a task in this role. */
-static bool add_task(struct credit *credit, enum role role, const char *start, size_t length) {
+static bool add_credited_task(struct credit *credit, enum role role, const char *start,
+                              size_t length) {
     struct task_name *lists[] = {credit->tasks, credit->needs, credit->spoilers};
     size_t *counts[] = {&credit->task_count, &credit->need_count, &credit->spoiler_count};
     struct task_name task = {""};
@@ -166,7 +167,7 @@ static bool read_tasks(struct credit *credit, struct text *text, struct error *e
         while (end < word.length && strchr(",+~", word.start[end]) == NULL) {
             end++;
         }
-        done = add_task(credit, role, word.start + start, end - start) &&
+        done = add_credited_task(credit, role, word.start + start, end - start) &&
                (end == word.length || find_role(word.start[end], &role));
         start = end + 1;
     }

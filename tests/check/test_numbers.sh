@@ -64,8 +64,8 @@ cd "$top" || exit 1
 for numbers in tests/lessons/step*/numbers.c; do
     lesson=${numbers#tests/lessons/}
     lesson=${lesson%/numbers.c}
-    make -s BUILD="$build" "$build/numbers/$lesson" && rm -f "$work/rows" &&
-        "$build/numbers/$lesson" "$work/rows" 0 || wrong "$lesson: the calls fail"
+    make -s BUILD="$build" "$build/quick/numbers/$lesson" && rm -f "$work/rows" &&
+        "$build/quick/numbers/$lesson" "$work/rows" 0 || wrong "$lesson: the calls fail"
     # A call that the text names is followed in its paragraph by what it gives, and each task that
     # has calls has one in the text.
     awk -F '\t' -v lesson="$lesson" '

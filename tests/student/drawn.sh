@@ -45,7 +45,7 @@ limited() {
 # Are the lesson's pictures those of its program, all of them?
 is_drawn() {
     [ -f "$out/.drawn" ] &&
-        [ -z "$(find "$build/$lesson" "$build/models/bust.obj" -newer "$out/.drawn")" ]
+        [ -z "$(find "$build/quick/$lesson" "$build/models/bust.obj" -newer "$out/.drawn" 2>/dev/null)" ]
 }
 
 # Pictures of an earlier program go away: what one leaves behind that ends early is its own.
@@ -75,7 +75,7 @@ draw() {
     only=
     ! scenes_in_order | grep -qxF -e "$scene" || only=$scene
     mkdir -p "$out" && forget_pictures || fail 1 "cannot write into $out"
-    limited "$build/$lesson" -o "$out" ${only:+--only "$only"} >/dev/null
+    limited "$build/quick/$lesson" -o "$out" ${only:+--only "$only"} >/dev/null
     status=$?
     if [ $status -ne 0 ]; then
         printf '%s\n' "make $target: $lesson $(how_it_ended $status)" >&2

@@ -12,10 +12,12 @@ there is no C compiler called $(firstword $(CC)). Is another one here (make CC=g
 endef
 
 ifneq ($(filter-out help clean start solution handout commands,$(or $(MAKECMDGOALS),all)),)
+ifneq ($(origin MISSING),command line)
 MISSING := $(shell command -v $(firstword $(CC)) >/dev/null 2>&1 || echo compiler; \
                    [ -d '$(or $(TMPDIR),.)' ] || echo temporary; \
                    { mkdir -p '$(BUILD)' && [ -w '$(BUILD)' ]; } 2>/dev/null || echo build; \
                    case $$($(CC) -dumpmachine 2>/dev/null) in (*mingw*) echo windows ;; esac)
+endif
 $(if $(filter compiler,$(MISSING)),$(error $(NO_COMPILER)))
 $(if $(filter build,$(MISSING)),$(error nothing can be written into $(BUILD): name another directory, \
     for example make BUILD=/tmp/course))

@@ -19,7 +19,7 @@ hint:
 
 # They draw themselves: what hangs or crashes is shown as far as it comes. Of the lesson that STEP
 # names; without one the scripts say what is wrong.
-SHOWN = $(if $(STEP),$(CHOSEN:%=$(BUILD)/%) $(BUILD)/models/bust.obj)
+SHOWN = $(if $(STEP),$(CHOSEN:%=$(BUILD)/quick/%) $(MODEL))
 
 open: $(BUILD)/compare_page $(SHOWN)
 	$(END_LINE)
@@ -31,18 +31,18 @@ show: $(BUILD)/show $(SHOWN)
 
 live: $(BUILD)/live $(SHOWN)
 	$(END_LINE)
-	@sh tests/student/live.sh '$(BUILD)' '$(MAKE) -s' '$(STEP)' '$(MODEL)'
+	@sh tests/student/live.sh '$(BUILD)' '$(MAKE) -s $(KNOWN)' '$(STEP)' '$(MODEL)'
 
 $(BUILD)/live: $(patsubst %.c,$(BUILD)/%.o,$(wildcard tests/student/live/*.c)) $(CHECKER) \
-               $(BUILD)/libcommon.a
+               $(BUILD)/quick/libcommon.a
 	$(Q)$(LINK) $^ -lm -o $@
 
 watch:
-	@sh tests/student/watch.sh '$(BUILD)' '$(MAKE) -s' '$(STEP)' '$(SCENE)'
+	@sh tests/student/watch.sh '$(BUILD)' '$(MAKE) -s $(KNOWN)' '$(STEP)' '$(SCENE)'
 
 $(BUILD)/show $(BUILD)/compare_page: $(BUILD)/%: $(BUILD)/tests/student/%.o \
                                      $(BUILD)/tests/student/terminal.o $(CHECKER) \
-                                     $(BUILD)/libcommon.a
+                                     $(BUILD)/quick/libcommon.a
 	$(Q)$(LINK) $^ -lm -o $@
 
 # ---- A program of one's own: a directory with a file .new ----
@@ -73,9 +73,9 @@ ifeq ($(wildcard step01_line/mine.c)$(wildcard step03_triangle/mine.c),)
 $(error LINE=mine draws with what you wrote in lessons 1 and 3, which are not here)
 endif
 LESSON_OBJECTS = $(patsubst %/mine.c,$(BUILD)/mine/%.o,$(wildcard step*/mine.c))
-$(STEPS:%=$(BUILD)/%): $(LESSON_OBJECTS)
-$(BUILD)/step02% $(BUILD)/step03%: LESSON_FLAGS = -DLINE_IS_MINE -Wno-unused-function
-$(foreach n,4 5 6 7 8,$(BUILD)/step0$(n)%): LESSON_FLAGS = -Dedges_setup=my_triangle_setup \
+$(STEPS:%=$(BUILD)/%) $(STEPS:%=$(BUILD)/quick/%): $(LESSON_OBJECTS)
+$(foreach n,2 3,$(BUILD)/step0$(n)% $(BUILD)/quick/step0$(n)%): LESSON_FLAGS = -DLINE_IS_MINE -Wno-unused-function
+$(foreach n,4 5 6 7 8,$(BUILD)/step0$(n)% $(BUILD)/quick/step0$(n)%): LESSON_FLAGS = -Dedges_setup=my_triangle_setup \
                                                            -Dedges_span=my_triangle_span
 $(BUILD)/mine/%.o: %/mine.c %/main.c $(BUILD)/%.text $(BUILD)/flags
 	@mkdir -p $(@D)

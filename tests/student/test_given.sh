@@ -58,13 +58,15 @@ done <"$work/given" >"$work/named"
 # All that is made of a lesson's main.c is compiled as its own.
 # shellcheck disable=SC2046 # one word a target
 make -n V=1 BUILD="$work/build" $(for lesson in step*; do
-    echo "$work/build/$lesson $work/build/numbers/$lesson"
-    echo "$work/build/sanitized/$lesson $work/build/sanitized/numbers/$lesson"
+    echo "$work/build/$lesson"
+    for place in quick sanitized; do
+        echo "$work/build/$place/$lesson $work/build/$place/numbers/$lesson $work/build/$place/numbers/$lesson.tried"
+    done
 done) >"$work/log" 2>&1 || wrong "make -n: $(tail -n 3 "$work/log")"
 for lesson in step*; do
     number=${lesson#step}
     number=${number%%_*}
-    [ "$(grep -c -- " -DCOURSE_LESSON=${number#0} .* -c [^ ]*$lesson/" "$work/log")" -eq 4 ] ||
+    [ "$(grep -c -- " -DCOURSE_LESSON=${number#0} .* -c [^ ]*$lesson/" "$work/log")" -eq 7 ] ||
         wrong "$lesson is not compiled as lesson ${number#0}"
 done
 

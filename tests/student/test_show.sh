@@ -163,11 +163,11 @@ show 2 80 24 yours,mine white.tga grey.tga
 # ---- A program that hangs or crashes ----
 
 # Instead of a lesson's program: a scene a line of `draws`, as a command that draws it or does not.
-mkdir -p course/tests/check course/step05_zbuffer course/build/models || exit 1
+mkdir -p course/tests/check course/step05_zbuffer course/build/models course/build/quick || exit 1
 cp -R "$top/tests/student" course/tests || exit 1
 cp "$build/show" course/build && cp grey.tga course && cd course || exit 1
 printf 'step05_zbuffer %s\n' first bad last >tests/check/scenes.txt
-cat >build/step05_zbuffer <<'EOF'
+cat >build/quick/step05_zbuffer <<'EOF'
 #!/bin/sh
 [ "$1 $2" = '-o build/out/step05_zbuffer' ] || exit 2
 for scene in first bad last; do
@@ -177,12 +177,12 @@ for scene in first bad last; do
     fi
 done
 EOF
-chmod +x build/step05_zbuffer
+chmod +x build/quick/step05_zbuffer
 
 # draws BAD STATUS SCENE...: BAD is what the program does for `bad`.
 draws() {
     echo "$1" >bad
-    touch build/step05_zbuffer
+    touch build/quick/step05_zbuffer
     touch build/models/bust.obj
     sleep 1 # a file system may count seconds
     said_by "$2" env CHECK_TIMEOUT=1 sh tests/student/show.sh build 5 "$3" yours blocks

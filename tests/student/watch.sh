@@ -24,15 +24,18 @@ sums() {
     cksum "$lesson"/*.[ch] 2>/dev/null
 }
 
-# $make is a command with its options.
+# Is the program that of the sources as they are? What make knows of their text is newer than a
+# program that could not be built of it.
+is_built() {
+    program=$build/quick/$lesson
+    [ -x "$program" ] && [ -z "$(find "$build/$lesson.text" -newer "$program")" ]
+}
+
+# $make is a command with its options. At a terminal the check speaks to a person.
 check_and_show() {
     [ ! -t 1 ] || printf '\033[H\033[2J\033[3J'
-    said=$($make check STEP="$lesson" 2>&1)
-    echo "$said"
-    case $said in
-    *"$lesson  BUILD "*) ;; # nothing to show
-    *) $make show STEP="$lesson" SCENE="$scene" BUILD="$build" ;;
-    esac
+    $make check STEP="$lesson" BUILD="$build" 2>&1
+    ! is_built || $make show STEP="$lesson" SCENE="$scene" BUILD="$build"
     echo "Waiting for the next save of $lesson; Ctrl-C ends."
 }
 

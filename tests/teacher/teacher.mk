@@ -28,13 +28,13 @@ KEEP_POINTS = $(if $(HIDDEN),--json '$(POINTS)')
 THEN_HIDDEN = $(if $(HIDDEN),; status=$$?; sh tests/teacher/hidden/hidden.sh '$(BUILD)' '$(CHECKED)' \
                   '$(MAKE) -s' '$(HIDDEN)' '$(STEP)' '$(SOLUTION)' '$(POINTS)' && exit $$status)
 
-$(BUILD)/hidden: $(BUILD)/tests/teacher/hidden/hidden.o $(CHECKER) $(BUILD)/libcommon.a
+$(BUILD)/hidden: $(BUILD)/tests/teacher/hidden/hidden.o $(CHECKER) $(BUILD)/quick/libcommon.a
 	$(Q)$(LINK) $^ -lm -o $@
 
 # A solution, built with what is there. (It has no .d: make would take that for a program to build.)
 $(BUILD)/hidden.% $(BUILD)/solutions/%: force
-	$(Q)$(filter-out -MMD -MP,$(COMPILE)) -I$(@F) -c $(@D)/main.c -o $@.o
-	$(Q)$(LINK) $@.o $(BUILD)/libcommon.a -lm -o $@
+	$(Q)$(filter-out -MMD -MP,$(COMPILE)) $(QUICK) -I$(@F) -c $(@D)/main.c -o $@.o
+	$(Q)$(LINK) $@.o $(BUILD)/quick/libcommon.a -lm -o $@
 
 # ---- A class ----
 
@@ -54,11 +54,11 @@ grade-merge: $(BUILD)/limited
 	@sh tests/teacher/grade/merge.sh '$(BUILD)' '$(GRADES)'
 
 # What the hidden scenes are held against.
-$(BUILD)/solutions/.built: $(STEPS:%=%/main.c) $(BUILD)/libcommon.a
+$(BUILD)/solutions/.built: $(STEPS:%=%/main.c) $(BUILD)/quick/libcommon.a
 	@sh tests/teacher/hidden/solutions.sh '$(@D)' '$(MAKE) -s' '$(SOLUTION)'
 	@touch $@
 
-$(BUILD)/limited: $(BUILD)/tests/teacher/grade/limited.o $(CHECKER) $(BUILD)/libcommon.a
+$(BUILD)/limited: $(BUILD)/tests/teacher/grade/limited.o $(CHECKER) $(BUILD)/quick/libcommon.a
 	$(Q)$(LINK) $^ -lm -o $@
 
 # A lesson of a submission: compiled and linked where it can do no harm, in PLACE/STEP. What calls its
@@ -66,11 +66,13 @@ $(BUILD)/limited: $(BUILD)/tests/teacher/grade/limited.o $(CHECKER) $(BUILD)/lib
 PLACE     = $(patsubst %/numbers,%,$(@D))
 HANDED_IN = $(PLACE)/sources/$(@F)/main.c
 CONTAINED = CONTAIN_WRITES='$(abspath $(PLACE))' sh tests/teacher/grade/contain.sh
+$(BUILD)/grade.%.tried: # a class keeps all processors busy: each program when its turn comes
+	@:
 $(BUILD)/grade.%: force
 	@[ -f $(HANDED_IN) ] || { echo 'error: no $(@F)/main.c was handed in' >&2; exit 1; }
 	@[ $(PLACE) = $(@D) ] || { mkdir -p $(@D) && chmod 777 $(@D) && \
 	    cp tests/*.h tests/lessons/$(@F)/numbers.c $(@D); }
 	$(Q)$(CONTAINED) $(filter-out -MMD -MP,$(COMPILE)) $(TEACHES) -I$(@F) $(if $(filter %/numbers,$(@D)), \
 	    -O0 -w -I$(@D) -DLESSON='"$(abspath $(HANDED_IN))"' -c $(@D)/numbers.c, \
-	    -c $(HANDED_IN)) -o $@.o
-	$(Q)$(CONTAINED) $(LINK) $@.o $(BUILD)/libcommon.a -lm -o $@
+	    $(QUICK) -c $(HANDED_IN)) -o $@.o
+	$(Q)$(CONTAINED) $(LINK) $@.o $(BUILD)/quick/libcommon.a -lm -o $@

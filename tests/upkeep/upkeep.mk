@@ -26,13 +26,14 @@ TESTED_AS = -Dalways_inline=unused -Dflatten=unused -Icommon -Itests
 TESTED    = $(CC) $(STRICT) $(WARNINGS) $(WERROR) $(SANITIZED) $(DEFINES) $(TESTED_AS) -MMD -MP
 
 # Found by their names: test_*.c are programs, test_*.sh scripts.
-UNITS   = $(patsubst %.c,$(BUILD)/%,$(shell find tests -name 'test_*.c'))
+UNITS  := $(patsubst %.c,$(BUILD)/%,$(shell find tests -name 'test_*.c'))
 REPLAYS = $(patsubst %.c,$(BUILD)/%,$(wildcard tests/upkeep/fuzz/fuzz_*.c))
 SCRIPTS = $(shell find tests -name 'test_*.sh') tests/upkeep/fuzz/replay.sh
 
 # What they test.
 $(BUILD)/tested/all.a: $(COMMON:$(BUILD)/%=$(BUILD)/tested/%) $(BUILD)/tested/tests/oracle/oracle.o
-$(BUILD)/tested/check.a: $(CHECKER:$(BUILD)/%=$(BUILD)/tested/%) $(BUILD)/tested/tests/student/terminal.o
+$(BUILD)/tested/check.a: $(patsubst %.c,$(BUILD)/tested/%.o,$(CHECKER_FILES:$(BUILD)/%=%)) \
+                         $(BUILD)/tested/tests/student/terminal.o
 $(BUILD)/tested/all.a $(BUILD)/tested/check.a:
 	@rm -f $@
 	$(Q)$(AR) qcs $@ $^
@@ -120,13 +121,13 @@ verify: $(BUILD)/check $(BUILD)/figure_make models
 # times.
 .PHONY: commands
 commands:
-	@: $(info $(filter-out -MMD -MP,$(COMPILE)))$(info $(LINK))$(info $(BUILD)/libcommon.a -lm)
+	@: $(info $(filter-out -MMD -MP,$(COMPILE)))$(info $(LINK))$(info $(BUILD)/quick/libcommon.a -lm)
 
 mistakes: $(BUILD)/check $(BUILD)/looks_make $(BUILD)/figure_make models
 	@sh tests/upkeep/verify/mistakes.sh $(BUILD) '$(MAKE) -s' '$(STEP)'
 
 $(BUILD)/looks_make $(BUILD)/figure_make: $(BUILD)/%: $(BUILD)/tests/check/%.o $(CHECKER) \
-                                           $(BUILD)/libcommon.a
+                                           $(BUILD)/quick/libcommon.a
 	$(Q)$(LINK) $^ -lm -o $@
 
 # ---- make mutants, portability, fuzz ----

@@ -44,7 +44,7 @@ contain_by_bwrap() {
     set -- --remount-ro /dev --remount-ro / --chdir "$PWD" $limits setpriv $powerless "$@"
     # What a program draws may lie next to where it draws: see tests/check/unseen.h.
     set -- --ro-bind "$CONTAIN_COURSE/common" "$CONTAIN_COURSE/common" \
-        --ro-bind "$CONTAIN_BUILD/libcommon.a" "$CONTAIN_BUILD/libcommon.a" \
+        --ro-bind "$CONTAIN_BUILD/quick/libcommon.a" "$CONTAIN_BUILD/quick/libcommon.a" \
         --ro-bind "$CONTAIN_BUILD/models" "$CONTAIN_BUILD/models" \
         --ro-bind-try "$program" "$program" \
         --ro-bind-try "${PWD%/*}/input" "${PWD%/*}/input" --bind "$writes" "$writes" "$@"

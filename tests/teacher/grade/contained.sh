@@ -24,7 +24,7 @@ contain_note() {
 [ -x tests/teacher/grade/contain.sh ] || chmod +x tests/teacher/grade/contain.sh
 if [ -z "$CONTAIN_BY" ]; then
     probe=$(mktemp -d "$build/contain.XXXXXX") && probe=$(cd "$probe" && pwd) &&
-        mkdir "$probe/common" "$probe/models" && : >"$probe/libcommon.a" || exit 1
+        mkdir "$probe/common" "$probe/models" "$probe/quick" && : >"$probe/quick/libcommon.a" || exit 1
     find_container "$probe" "$PWD"
     CONTAIN_BY=$by
     rm -rf "$probe"

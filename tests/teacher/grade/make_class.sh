@@ -119,7 +119,7 @@ program reads_references "char command[2000];
         \"mv \$f \${f%%png}tga; done; cat $PWD/step02_wireframe/main.c\", 0);
     return system(command);"
 program writes_outside "const char *places[] = {\"$into/written\", \"$PWD/written\",
-        \"/var/tmp/written\", \"$PWD/tests/check/scenes.txt\", \"$PWD/build/libcommon.a\"};
+        \"/var/tmp/written\", \"$PWD/tests/check/scenes.txt\", \"$PWD/build/quick/libcommon.a\"};
     for (int i = 0; i < 5; i++) { int f = open(places[i], O_WRONLY | O_CREAT | O_APPEND, 0666);
         if (f >= 0 && write(f, \"x\", 1) == 1) close(f); }"
 # A network has more than the loop to oneself.

@@ -42,7 +42,7 @@ if [ -n "$contained" ] && [ "$(id -u)" -eq 0 ]; then
     kill -KILL $! && wait $! 2>/dev/null
 fi
 
-precious="build/libcommon.a build/check tests/check/scenes.txt tests/reference/step01_line/line.png"
+precious="build/quick/libcommon.a build/check tests/check/scenes.txt tests/reference/step01_line/line.png"
 # shellcheck disable=SC2086
 before=$(cksum $precious)
 grade() {

@@ -153,7 +153,7 @@ static bool build_yours(const struct hidden *hidden, const char *step, struct er
     if (!hidden->builds) {
         return true;
     }
-    bool done = build_step(&hidden->check, step, &result, error);
+    bool done = build_step(&hidden->check, step, false, &result, error);
     bytes_free(&result.messages);
     return done && (run_caught_signal() == 0 || error_set(error, "interrupted"));
 }

@@ -17,13 +17,13 @@ flags='CFLAGS=-O1 MARCH='
 built() {
     for lesson in "$@"; do
         # shellcheck disable=SC2086
-        make -s "build/$lesson" $flags >"$work/said" 2>&1 || wrong "$lesson does not build"
+        make -s "build/quick/$lesson" $flags >"$work/said" 2>&1 || wrong "$lesson does not build"
     done
 }
 
 # hidden STATUS SEED STEP [SOLUTION [POINTS]]: what it says is in $work/said.
 hidden() {
-    sh tests/teacher/hidden/hidden.sh build build "make -s $flags" "$2" "$3" "$4" "$5" >"$work/said" 2>&1
+    sh tests/teacher/hidden/hidden.sh build build/quick "make -s $flags" "$2" "$3" "$4" "$5" >"$work/said" 2>&1
     status=$?
     [ $status -eq "$1" ] || wrong "status $status, not $1: seed $2, step $3"
 }
@@ -203,7 +203,7 @@ rm held.began held.go
 : >"$work/said"
 sh tests/teacher/hidden/solutions.sh build/hidden.held "make -s $flags" "$work" step05_zbuffer >"$work/said" ||
     wrong "no solution"
-build/hidden build build/hidden.held 2 "./held $flags" step05_zbuffer >"$work/hidden.said" 2>&1 &
+build/hidden build/quick build/hidden.held 2 "./held $flags" step05_zbuffer >"$work/hidden.said" 2>&1 &
 beside=$!
 until [ -e held.began ] || ! kill -0 $beside 2>/dev/null; do sleep 0.1; done
 "$build/check" --make "make $flags" 5 >"$work/said" 2>&1 &

@@ -3,6 +3,7 @@
 #
 #     build.sh COMMANDS -s DIRECTORY/STEP        or DIRECTORY/numbers/STEP, which calls its functions
 #
+# (What the check asks to be tried meanwhile it asks for again, where it is not there.)
 # from DIRECTORY/main.c and the headers of STEP. COMMANDS has in three lines how to compile, how to
 # link, and with what.
 program=$3
