@@ -4,7 +4,8 @@
  * `gouraud` has one intensity at each corner, `colors` a colour. `lit` adds up three kinds of light
  * at each corner, with a light and a camera at points: the ambient, the diffuse and the specular
  * part, and their sum, are four pictures in one. In `behind` the light is behind the model, the
- * camera at its side, and the surface another one.
+ * camera at its side, and the surface another one. `wide`, `high`, `small` and `one_pixel` draw the
+ * same in images of other shapes.
  */
 
 #include <stdlib.h>
@@ -284,6 +285,42 @@ static const struct scene scenes[] = {
         .light = {-2, 2, -3},
         .eye = {1.2, -0.6, 2.5},
         .draw = draw_behind,
+    },
+    /* Not square, and odd: what a square or large picture hides shows here. */
+    {
+        .name = "wide",
+        .detail = true,
+        .needs = NEEDS_MODEL | NEEDS_COLORS | NEEDS_DEPTH,
+        .model = "knot.off",
+        .width = 203,
+        .height = 67,
+        .draw = draw_colors,
+    },
+    {
+        .name = "high",
+        .detail = true,
+        .needs = NEEDS_MODEL | NEEDS_NORMALS | NEEDS_DEPTH,
+        .width = 61,
+        .height = 181,
+        .draw = draw_gouraud,
+    },
+    {
+        .name = "small",
+        .detail = true,
+        .needs = NEEDS_MODEL | NEEDS_NORMALS | NEEDS_DEPTH,
+        .width = 13,
+        .height = 23,
+        .light = {-2, 2, 3},
+        .eye = {0, 0, 3},
+        .draw = draw_lit,
+    },
+    {
+        .name = "one_pixel",
+        .detail = true,
+        .needs = NEEDS_MODEL | NEEDS_NORMALS | NEEDS_DEPTH,
+        .width = 1,
+        .height = 1,
+        .draw = draw_gouraud,
     },
     {
         .name = "sphere",
