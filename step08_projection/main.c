@@ -121,7 +121,7 @@ static bool place(struct vec4 clip, const struct mat4 *to_screen, struct vertex 
     /* BEGIN SOLUTION 8b.1 division by w */
     vertex->recip_w = 1 / clip.w;
     vertex->depth = clip.z * vertex->recip_w;
-    struct vec3 ndc = {clip.x * vertex->recip_w, clip.y * vertex->recip_w, vertex->depth};
+    struct vec3 ndc = {clip.x * vertex->recip_w, clip.y * vertex->recip_w, 0};
     struct vec4 screen = mat4_point(to_screen, ndc);
     return isfinite(vertex->depth) &&
            screen_snap((struct vec2){screen.x, screen.y}, &vertex->position);
@@ -169,8 +169,8 @@ struct canvas {
     struct mat4 to_screen;         /* from NDC to the area */
     const struct texture *texture; /* the colour of the surface */
     struct mat4 normals_to_world;
-    bool one_color;  /* each face has the colour of its middle */
-    bool unweighted; /* each face is the same all over, so 1/w is taken as 1 */
+    bool one_color; /* each face has the colour of its middle */
+    bool affine;    /* the weights on the screen will do: w is 1, or faces have one colour */
     uint64_t positions_divided;
     uint64_t faces_outside, faces_clipped, triangles_turned_away;
 };
@@ -198,7 +198,7 @@ static void triangle(const struct canvas *canvas, const struct edges *edges,
             struct vec3 weight = edges_weights(edges, x, y);
             double depth = interpolate_depth(weight, v[0].depth, v[1].depth, v[2].depth);
             if (depth > row[x]) {
-                struct vec3 w = correct_weights(weight, recip_w);
+                struct vec3 w = canvas->affine ? weight : correct_weights(weight, recip_w);
                 double intensity = interpolate(w, v[0].intensity, v[1].intensity, v[2].intensity);
                 struct vec2 uv = vec2_interpolate(w, v[0].uv, v[1].uv, v[2].uv);
                 row[x] = depth;

@@ -16,6 +16,9 @@
  * camera is in front.
  *
  * Part e: in `closeup` and `endless` faces pass behind the camera.
+ *
+ * `wide`, `high`, `small` and `one_pixel` draw `viewport`, `lookat`, `closeup` and `wall` in images of
+ * other shapes.
  */
 #include <stdlib.h>
 
@@ -379,7 +382,6 @@ static void draw_part(const struct drawing *drawing, struct canvas *canvas, size
     for (int i = 0; i < 3; i++) {
         v[i].intensity = interpolate(weight[i], a.intensity[0], a.intensity[1], a.intensity[2]);
         v[i].uv = vec2_interpolate(weight[i], a.uv[0], a.uv[1], a.uv[2]);
-        v[i].recip_w = canvas->unweighted ? 1 : v[i].recip_w;
     }
     if (!edges.clockwise) {
         triangle(canvas, &edges, v);
@@ -537,7 +539,7 @@ static struct canvas make_canvas(const struct drawing *drawing, struct image *im
         .to_screen = area_to_screen(area),
         .texture = drawing->diffuse,
         .normals_to_world = mat4_identity(),
-        .unweighted = drawing_value(drawing, "affine") != 0,
+        .affine = drawing_value(drawing, "affine") != 0,
     };
 }
 
@@ -614,7 +616,7 @@ static void draw_facets(struct drawing *drawing, struct image *image, struct rec
                         double distance) {
     struct canvas canvas = make_canvas(drawing, image, area);
     const struct mat4 to_clip = camera(drawing, distance);
-    canvas.one_color = canvas.unweighted = true;
+    canvas.one_color = canvas.affine = true;
     draw_model(drawing, &canvas, &to_clip);
 }
 
@@ -659,6 +661,7 @@ static bool draw_viewport(struct drawing *drawing, struct image *image, struct e
     for (size_t i = 0; i < sizeof panes / sizeof panes[0]; i++) {
         struct rectangle area = pane_area(panes[i].eighths, image);
         struct canvas canvas = make_canvas(drawing, image, area);
+        canvas.affine = true;
         fill_area(image, area, panes[i].color);
         draw_model(drawing, &canvas, &to_clip);
     }
@@ -829,7 +832,7 @@ static bool draw_nowhere(struct drawing *drawing, struct image *image, struct er
     const struct mat4 to_clip = mat4_scaling((struct vec3){1, 1, 10});
     struct canvas canvas =
         make_canvas(drawing, image, (struct rectangle){-side, -side, 2 * side, 2 * side});
-    canvas.unweighted = true;
+    canvas.affine = true;
     return draw_quads(drawing, &canvas, nowhere, sizeof nowhere / sizeof nowhere[0], &to_clip,
                       error);
 }
@@ -837,7 +840,7 @@ static bool draw_nowhere(struct drawing *drawing, struct image *image, struct er
 static bool draw_crossing(struct drawing *drawing, struct image *image, struct error *error) {
     struct canvas canvas = make_canvas(drawing, image, whole_image(image));
     struct mat4 to_clip = perspective_camera(drawing);
-    canvas.unweighted = true;
+    canvas.affine = true;
     return draw_quads(drawing, &canvas, crossing, CROSSING_QUADS, &to_clip, error) &&
            draw_nowhere(drawing, image, error);
 }
@@ -1038,6 +1041,43 @@ static const struct scene scenes[] = {
         .draw = draw_view,
     },
     {.name = "endless", .needs = NEEDS_DEPTH, .values = view_values, .draw = draw_endless},
+    /* Not square, and odd: what a square or large picture hides shows here. */
+    {
+        .name = "wide",
+        .detail = true,
+        .needs = NEEDS_VIEW,
+        .width = 203,
+        .height = 67,
+        .draw = draw_viewport,
+    },
+    {
+        .name = "high",
+        .detail = true,
+        .needs = NEEDS_VIEW,
+        .width = 61,
+        .height = 181,
+        .eye = {1, 1, 2},
+        .draw = draw_view,
+    },
+    {
+        .name = "small",
+        .detail = true,
+        .needs = NEEDS_VIEW,
+        .width = 23,
+        .height = 13,
+        .eye = {0.03, 0.47, 0.46},
+        .center = {0.03, -0.3, 0.4},
+        .up = {0, 0, 1},
+        .draw = draw_view,
+    },
+    {
+        .name = "one_pixel",
+        .needs = NEEDS_DEPTH,
+        .width = 1,
+        .height = 1,
+        .values = wall_values,
+        .draw = draw_wall,
+    },
 };
 
 static const struct program step08_projection = {

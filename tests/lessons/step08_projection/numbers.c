@@ -81,16 +81,33 @@ static struct mat4 called_away(double amount) {
 
 /* ---- 8b.1 ---- */
 
-/* On a screen of 100 x 100 pixels. */
-static struct shown called_placed(struct vec4 clip) {
-    const struct mat4 to_screen = {{{50, 0, 0, 50}, {0, 50, 0, 50}, {0, 0, 1, 0}, {0, 0, 0, 1}}};
-    struct vertex v = {.position = {0, 0}};
-    if (!place(clip, &to_screen, &v)) {
-        return show("false");
-    }
-    return show("position (%g, %g), depth %g, recip_w %g", v.position.x / 256.0,
-                v.position.y / 256.0, v.depth, v.recip_w);
+/* A screen of 100 x 100 pixels. */
+static const struct mat4 called_screen = {
+    {{50, 0, 0, 50}, {0, 50, 0, 50}, {0, 0, 1, 0}, {0, 0, 0, 1}}};
+
+static struct shown called_vertex(bool placed, struct vertex v) {
+    return placed ? show("position (%g, %g), depth %g, recip_w %g", v.position.x / 256.0,
+                         v.position.y / 256.0, v.depth, v.recip_w)
+                  : show("false");
 }
+
+static struct shown called_placed(struct vec4 clip) {
+    struct vertex v = {.position = {0, 0}};
+    bool placed = place(clip, &called_screen, &v);
+    return called_vertex(placed, v);
+}
+
+/* What place() must give if it calls the student's to_pixels(). */
+static struct shown called_placed_by_hers(struct vec4 clip) {
+    struct vertex v = {.depth = clip.z / clip.w, .recip_w = 1 / clip.w};
+    struct vec2 screen = to_pixels(&called_screen, xy(clip.x / clip.w, clip.y / clip.w));
+    bool placed = isfinite(v.depth) && screen_snap(screen, &v.position);
+    return called_vertex(placed, v);
+}
+
+#define PLACED(clip, right)                                                                        \
+    TEXT_WITH("8b.1", "place(" #clip ", ...)", called_placed(xyzw clip), right,                    \
+              called_placed_by_hers(xyzw clip))
 
 /* ---- 8e.1 ---- */
 
@@ -140,6 +157,41 @@ static struct shown called_cut_at(bool weights, struct vec4 a, struct vec4 b, st
     return called_listed(called_clipped(a, b, c, plane), weights);
 }
 
+/* Seven corners around (0, 0, 0, 1), the last one behind the camera: how many are left? */
+static size_t called_corners_of_seven(void) {
+    struct polygon seven = {.count = 7};
+    for (size_t i = 0; i < seven.count; i++) {
+        const double angle = 6.2831853 / 7 * (double)i;
+        seven.corner[i].clip = xyzw(cos(angle), sin(angle), 0, i < 6 ? 1 : -1);
+    }
+    return clip_at_plane(&seven, 0).count;
+}
+
+/* Do two faces find the very same points on the sides that they share, which one of them walks the
+ * other way round? */
+static bool called_same_from_both_ends(void) {
+    const struct clip_corner inside = {{0.1, 0.2, 0.3, 0.7}, {1, 0, 0}};
+    for (int i = 1; i <= 20; i++) {
+        const struct clip_corner one = {{i, 0.3, -i / 3.0, -i / 7.0}, {0, 1, 0}};
+        const struct clip_corner other = {{-i, 0.7, i / 9.0, -i / 11.0}, {0, 0, 1}};
+        const struct polygon face = {.corner = {inside, one, other}, .count = 3};
+        const struct polygon back = {.corner = {inside, other, one}, .count = 3};
+        const struct polygon a = clip_at_plane(&face, 0), b = clip_at_plane(&back, 0);
+        for (size_t k = 0; k < 3 && a.count == 3 && b.count == 3; k++) {
+            const struct vec4 p = a.corner[k].clip;
+            bool found = false;
+            for (size_t n = 0; n < 3; n++) {
+                const struct vec4 q = b.corner[n].clip;
+                found = found || (p.x == q.x && p.y == q.y && p.z == q.z && p.w == q.w);
+            }
+            if (!found) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
 #define CLIP(plane, a, b, c, right)                                                                \
     TEXT("8e.1", "clip_at_plane(" #a " " #b " " #c ", " #plane ")",                                \
          called_cut_at(false, xyzw a, xyzw b, xyzw c, plane, right), right)
@@ -158,16 +210,17 @@ static void numbers(void) {
     PANEL(0, 2, 2, xy(3, 1));
     PANEL(1, 1, 1, xy(1.6, 1));
     PANEL(2, 1, 0, xy(sqrt(0.5), sqrt(0.5)));
+    PANEL(3, 1, 1, xy(sqrt(0.5), 2 * sqrt(0.5)));
+    PANEL(4, 1, 1, xy(0, sqrt(0.5)));
     PANEL(5, 1, 0.8, xy(1, 0.8));
     PANEL(5, 2, 0.8, xy(1 + sqrt(0.5), 0.8 + sqrt(0.5)));
+    PANEL(6, 1, 1, xy(0.5 * sqrt(0.5), -0.1 * sqrt(0.5)));
+    PANEL(7, 1, 1, xy(-0.8, sqrt(2) - 1.3));
     PANEL(8, 2, 1, xy(1, 0.5));
-    TEXT("8b.1", "place((0.4, 0.2, 1, 0.5), ...)", called_placed(xyzw(0.4, 0.2, 1, 0.5)),
-         "position (90, 70), depth 2, recip_w 2");
-    TEXT("8b.1", "place((0.4, -0.8, -2, 2), ...)", called_placed(xyzw(0.4, -0.8, -2, 2)),
-         "position (60, 30), depth -1, recip_w 0.5");
-    TEXT("8b.1", "place((0, 0, 1e308, 0.01), ...)", called_placed(xyzw(0, 0, 1e308, 0.01)),
-         "false");
-    TEXT("8b.1", "place((1e9, 0, 0, 1), ...)", called_placed(xyzw(1e9, 0, 0, 1)), "false");
+    PLACED((0.4, 0.2, 1, 0.5), "position (90, 70), depth 2, recip_w 2");
+    PLACED((0.41, -0.8, -2, 2), "position (60.25, 30), depth -1, recip_w 0.5");
+    PLACED((0, 0, 1e308, 0.01), "false");
+    PLACED((1e9, 0, 0, 1), "false");
     PROJECTION(2, (0.4, 0.2, 1), xyzw(0.4, 0.2, 1, 0.5));
     PROJECTION(2, (0.4, 0.2, -2), xyzw(0.4, 0.2, -2, 2));
     PROJECTION(4, (1, 2, 3), xyzw(1, 2, 3, 0.25));
@@ -175,6 +228,7 @@ static void numbers(void) {
     WEIGHTED((0.5, 0.5, 0), (1, 0.25, 1), xyz(0.8, 0.2, 0));
     WEIGHTED((0.2, 0.3, 0.5), (1, 1, 1), xyz(0.2, 0.3, 0.5));
     WEIGHTED((0.5, 0.25, 0.25), (1, 2, 4), xyz(0.25, 0.25, 0.5));
+    WEIGHTED((0.5, 0.5, 0), (1, 1.02, 1), xyz(1 / 2.02, 1.02 / 2.02, 0));
     NORMAL(called_scale(2, 1, 1), (1, -1, 0), xyz(0.5, -1, 0));
     NORMAL(called_lean(1), (1, 0, 0), xyz(1, -1, 0));
     NORMAL(called_move(5, 6, 7), (0.5, -1, 0), xyz(0.5, -1, 0));
@@ -183,14 +237,23 @@ static void numbers(void) {
     SEEN((0, 0, 5), (0, 0, 2), (0, 2, 2), (1, 2, 4), xyz(1, 2, 2));
     SEEN((0, 0, 2), (0, 0, 0), (1, 0, 0), (1, 2, 3), xyz(-2, 1, 3));
     SEEN((0, 3, 0), (0, 0, 0), (0, 1, 0), (1, 2, 3), xyz(3, 1, 2));
+    SEEN((0, 3, 0), (0, 0, 0), (0, 1, 1e-12), (1, 2, 3), xyz(3, 1, 2));
+    SEEN((0, 3, 0), (0, 0, 0), (0, 1, 1e-9), (1, 2, 3), xyz(-1, 3, 2));
+    SEEN((2, 4, 2), (0, 3, 0), (-2, -1, -2), (1, 5, 3), xyz(-sqrt(2), 4 / sqrt(18), 10.0 / 3));
     CLIP(0, (0, 0, 0, 0.5), (0, 8, 4, 0.5), (4, 0, 8, -0.5),
          "(0,0,0,0.5) (0,8,4,0.5) (1.96875,4.0625,5.96875,0.0078125) (1.96875,0,3.9375,0.0078125)");
-    WEIGHTS(1, (0, 0, 0, 1), (0, 8, 4, 1), (-256, 0, 8, 1),
+    WEIGHTS(1, (0, 0, 0, 0.5), (0, 8, 4, 0.5), (-128, 0, 8, 0.5),
             "(1,0,0) (0,1,0) (0,0.75,0.25) (0.75,0,0.25)");
-    CLIP(1, (0, 0, 0, 1), (0, 8, 4, 1), (-256, 0, 8, 1),
-         "(0,0,0,1) (0,8,4,1) (-64,6,5,1) (-64,0,2,1)");
-    CLIP(2, (0, 0, 0, 1), (256, 0, 8, 1), (0, 8, 4, 1),
-         "(0,0,0,1) (64,0,2,1) (64,6,5,1) (0,8,4,1)");
-    CLIP(3, (0, 0, 0, 1), (8, -256, 0, 1), (8, -256, 4, 1), "(0,0,0,1) (2,-64,0,1) (2,-64,1,1)");
-    CLIP(4, (0, 0, 0, 1), (8, 256, 0, 1), (8, 256, 4, 1), "(0,0,0,1) (2,64,0,1) (2,64,1,1)");
+    CLIP(1, (0, 0, 0, 0.5), (0, 8, 4, 0.5), (-128, 0, 8, 0.5),
+         "(0,0,0,0.5) (0,8,4,0.5) (-32,6,5,0.5) (-32,0,2,0.5)");
+    CLIP(2, (0, 0, 0, 0.5), (128, 0, 8, 0.5), (0, 8, 4, 0.5),
+         "(0,0,0,0.5) (32,0,2,0.5) (32,6,5,0.5) (0,8,4,0.5)");
+    CLIP(3, (0, 0, 0, 0.5), (8, -128, 0, 0.5), (8, -128, 4, 0.5),
+         "(0,0,0,0.5) (2,-32,0,0.5) (2,-32,1,0.5)");
+    CLIP(4, (0, 0, 0, 0.5), (8, 128, 0, 0.5), (8, 128, 4, 0.5),
+         "(0,0,0,0.5) (2,32,0,0.5) (2,32,1,0.5)");
+    AS_WHOLE("8e.1", "clip_at_plane(7 corners, one of them behind, 0): corners",
+             called_corners_of_seven(), 8);
+    TEXT("8e.1", "clip_at_plane(), the same edge from either end: the very same point",
+         show_truth(called_same_from_both_ends()), "true");
 }
