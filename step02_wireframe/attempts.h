@@ -1,6 +1,5 @@
 /*
- * Lesson 2's earlier versions: a list that lacks sides, a line that does too much, and a cut that
- * moves pixels.
+ * Lesson 2's earlier versions: a list that lacks sides, and a cut that moves pixels.
  *
  * To be included after main.c, whose struct side and line() they use.
  */
@@ -37,31 +36,9 @@ static inline size_t attempt_one_direction(const struct model *model, struct sid
 
 /* ---- Lines ---- */
 
-/* As line(): returns how many pixels it has walked over. */
+/* As line() and line_inside(): returns how many pixels it has walked over. */
 typedef uint64_t attempt_line(struct image *image, struct pixel a, struct pixel b,
                               struct color color);
-
-/* The line of lesson 1 visits all its pixels, and image_set() tests whether each is in the image.
- * That is wasteful: almost nothing is seen of a line that reaches far out. */
-static inline uint64_t attempt_line_tested(struct image *image, struct pixel a, struct pixel b,
-                                           struct color color) {
-    int64_t x_run = (int64_t)b.x - a.x, y_run = (int64_t)b.y - a.y;
-    const bool steep = llabs(y_run) > llabs(x_run);
-    const int64_t run = llabs(steep ? y_run : x_run), rise = llabs(steep ? x_run : y_run);
-    const int v_step = (x_run < 0) == (y_run < 0) ? 1 : -1;
-    const struct pixel start = (steep ? y_run < 0 : x_run < 0) ? b : a;
-    int64_t u = steep ? start.y : start.x, v = steep ? start.x : start.y, error = -run;
-    for (int64_t k = 0; k <= run; k++) {
-        image_set(image, (int)(steep ? v : u), (int)(steep ? u : v), color);
-        u++;
-        error += 2 * rise;
-        if (error > 0) {
-            v += v_step;
-            error -= 2 * run;
-        }
-    }
-    return (uint64_t)run + 1;
-}
 
 /* Shorten the segment p-q to the part whose coordinate `on` one axis is in least..most; `off` is
  * the coordinate on the other axis. False when nothing is left. */

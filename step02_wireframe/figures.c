@@ -42,7 +42,7 @@ static void draw_one_direction(const struct model *bust) {
     struct comparison compared;
     comparison_create(&compared, 480, 360);
     figure_need(draw_border(&drawing, &compared.second, &figure_error));
-    drawing.value[0] = SIDES_ONE_WAY;
+    drawing.value[0] = 1;
     figure_need(draw_border(&drawing, &compared.first, &figure_error));
     comparison_show(&compared, grey);
     figure_save_detail(&compared.shown, (struct detail){86, 30, 170, 100, .zoom = 4},

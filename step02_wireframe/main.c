@@ -3,7 +3,7 @@
  *
  * A face of a model has three sides. Each becomes a line: x and y of its ends are mapped to the
  * image, and z is ignored. A side that two faces share is drawn once. A line may reach far beyond
- * the image: we walk only over the part inside, which has the same pixels as the whole line.
+ * the image: line_inside() walks only over the part inside, which has the same pixels as the whole.
  */
 #include "program.h"
 
@@ -80,12 +80,50 @@ static bool to_pixel(struct vec3 position, size_t width, size_t height, struct p
     END SOLUTION */
 }
 
+/* ---- A line ---- */
+
+/* Draw a whole line, as in lesson 1. Returns how many pixels it walked over, in the image or not. */
+static uint64_t line(struct image *image, struct pixel a, struct pixel b, struct color color) {
+    /* BEGIN SOLUTION 2a.3 a line */
+    int64_t x_distance = (int64_t)b.x - a.x, y_distance = (int64_t)b.y - a.y;
+    bool steep = llabs(y_distance) > llabs(x_distance);
+    if (steep ? y_distance < 0 : x_distance < 0) {
+        struct pixel kept = a;
+        a = b;
+        b = kept;
+    }
+    int64_t u = steep ? a.y : a.x, v = steep ? a.x : a.y;
+    int v_step = (steep ? b.x < a.x : b.y < a.y) ? -1 : 1;
+    int64_t run = llabs(steep ? y_distance : x_distance);
+    int64_t rise = llabs(steep ? x_distance : y_distance), error = -run;
+    for (int64_t k = 0; k <= run; k++) {
+        image_set(image, (int)(steep ? v : u), (int)(steep ? u : v), color);
+        u++;
+        error += 2 * rise;
+        if (error > 0) {
+            v += v_step;
+            error -= 2 * run;
+        }
+    }
+    return (uint64_t)run + 1;
+    /* STARTER
+    image_set(image, a.x, a.y, color); // to do 2a.3: the line of lesson 1, not only its ends
+    image_set(image, b.x, b.y, color);
+    return 2; // how many pixels it has
+    END SOLUTION */
+}
+
 /* ---- A line cut to the image ---- */
 
-/* BEGIN SOLUTION 2a.3 a line */
-/* A line as in lesson 1: u is the axis along which it is longer, v the other. After k steps along
- * u (0 <= k <= run) it has moved by floor((2 * k * rise + run - 1) / (2 * run)) along v: k * rise /
- * run to the nearest whole number, halves down. */
+/* Some steps of a line's walk, which begins with step 0. */
+struct steps {
+    int64_t first, last; /* inclusive; none when first > last */
+};
+
+/* BEGIN SOLUTION 2b.1 the steps in the image */
+/* Where a line begins and how it goes on: u is the axis along which it is longer, v the other.
+ * After k steps along u (0 <= k <= run) it has moved by floor((2 * k * rise + run - 1) / (2 * run))
+ * along v: k * rise / run to the nearest whole number, halves down. */
 struct course {
     bool steep;        /* u is y and v is x */
     int64_t u, v;      /* where it starts: the left end, or the lower end of a steep line */
@@ -96,24 +134,18 @@ struct course {
 static struct course course_from(struct pixel a, struct pixel b) {
     int64_t x_distance = (int64_t)b.x - a.x, y_distance = (int64_t)b.y - a.y;
     bool steep = llabs(y_distance) > llabs(x_distance);
-    if (steep ? y_distance < 0 : x_distance < 0) {
-        struct pixel kept = a;
-        a = b;
-        b = kept;
-    }
+    bool back = steep ? y_distance < 0 : x_distance < 0;
+    struct pixel start = back ? b : a, end = back ? a : b;
     return (struct course){
         .steep = steep,
-        .u = steep ? a.y : a.x,
-        .v = steep ? a.x : a.y,
+        .u = steep ? start.y : start.x,
+        .v = steep ? start.x : start.y,
         .run = steep ? llabs(y_distance) : llabs(x_distance),
         .rise = steep ? llabs(x_distance) : llabs(y_distance),
-        .v_step = (steep ? b.x < a.x : b.y < a.y) ? -1 : 1,
+        .v_step = (steep ? end.x < start.x : end.y < start.y) ? -1 : 1,
     };
 }
 
-/* END SOLUTION */
-
-/* BEGIN SOLUTION 2b.1 the steps in the image */
 /* The first step after which the line has moved by `move` or more along v; run + 1 when it never
  * moves as far. From (2 * k * rise + run - 1) / (2 * run) >= move, solved for k. With coordinates
  * within LINE_LIMIT all products are below 2^62. */
@@ -127,30 +159,31 @@ static int64_t first_step_moved(const struct course *course, int64_t move) {
     return ceil_divide(2 * course->run * move - course->run + 1, 2 * course->rise);
 }
 
-/* The steps that lie in the image. */
-struct steps {
-    int64_t first, last; /* inclusive; none when first > last */
-};
+/* END SOLUTION */
 
-/* v only ever moves one way, so the steps inside follow each other: from the first one that has
- * moved far enough to come in, to the last one that has not moved too far. */
-static struct steps steps_inside(const struct course *course, size_t width, size_t height) {
-    int64_t u_size = (int64_t)(course->steep ? height : width);
-    int64_t v_size = (int64_t)(course->steep ? width : height);
-    bool up = course->v_step > 0;
-    int64_t least_move = up ? -course->v : course->v - (v_size - 1);
-    int64_t most_move = up ? v_size - 1 - course->v : course->v;
-    int64_t first = first_step_moved(course, least_move);
-    int64_t last = first_step_moved(course, most_move + 1) - 1;
-    int64_t u_first = -course->u, u_last = u_size - 1 - course->u;
+/* The steps of the line from a to b whose pixels lie in an image of that size. v only ever moves
+ * one way, so these steps follow each other: from the first one that has moved far enough to come
+ * in, to the last one that has not moved too far. */
+static struct steps steps_inside(struct pixel a, struct pixel b, size_t width, size_t height) {
+    /* BEGIN SOLUTION 2b.1 the steps in the image */
+    const struct course course = course_from(a, b);
+    int64_t u_size = (int64_t)(course.steep ? height : width);
+    int64_t v_size = (int64_t)(course.steep ? width : height);
+    bool up = course.v_step > 0;
+    int64_t least_move = up ? -course.v : course.v - (v_size - 1);
+    int64_t most_move = up ? v_size - 1 - course.v : course.v;
+    int64_t first = first_step_moved(&course, least_move);
+    int64_t last = first_step_moved(&course, most_move + 1) - 1;
+    int64_t u_first = -course.u, u_last = u_size - 1 - course.u;
     first = first > u_first ? first : u_first;
     last = last < u_last ? last : u_last;
     return (struct steps){first, last};
+    /* STARTER
+    (void)width, (void)height; // to do 2b.1: only those steps, not all
+    int64_t x_length = llabs((int64_t)b.x - a.x), y_length = llabs((int64_t)b.y - a.y);
+    return (struct steps){0, x_length > y_length ? x_length : y_length};
+    END SOLUTION */
 }
-
-/* STARTER
-// to do 2b.1: which steps of a line lie in the image?
-END SOLUTION */
 
 /* BEGIN SOLUTION 2b.2 the walk from there on */
 /* Where Bresenham's walk is after k steps, as if it had come there from the start of the line. */
@@ -168,21 +201,15 @@ static struct place place_after(const struct course *course, int64_t k) {
     };
 }
 
-/* STARTER
-// to do 2b.2: where is the walk after k steps, and what is its error there?
-END SOLUTION */
+/* END SOLUTION */
 
-/* Draw the part of a line that lies in the image. Returns how many pixels it walked over: from part
- * b on only the pixels in the image. */
-static uint64_t line(struct image *image, struct pixel a, struct pixel b, struct color color) {
-    /* BEGIN SOLUTION 2a.3 a line */
-    struct course course = course_from(a, b);
-    struct steps inside = steps_inside(&course, image->width, image->height);
-    if (inside.first > inside.last) {
-        return 0;
-    }
-    struct place at = place_after(&course, inside.first);
-    for (int64_t k = inside.first; k <= inside.last; k++) {
+/* Draw these steps of the line from a to b, and walk over no others. */
+static void draw_steps(struct image *image, struct pixel a, struct pixel b, struct steps steps,
+                       struct color color) {
+    /* BEGIN SOLUTION 2b.2 the walk from there on */
+    const struct course course = course_from(a, b);
+    struct place at = place_after(&course, steps.first);
+    for (int64_t k = steps.first; k <= steps.last; k++) {
         image_set(image, (int)(course.steep ? at.v : at.u), (int)(course.steep ? at.u : at.v),
                   color);
         at.u++;
@@ -192,12 +219,21 @@ static uint64_t line(struct image *image, struct pixel a, struct pixel b, struct
             at.error -= 2 * course.run;
         }
     }
-    return (uint64_t)(inside.last - inside.first + 1);
     /* STARTER
-    image_set(image, a.x, a.y, color); // to do 2a.3: the line of lesson 1, not only its ends
-    image_set(image, b.x, b.y, color);
-    return 2; // how many pixels it has
+    // to do 2b.2: where is the walk at the first of these steps, and what is its error there?
+    (void)image, (void)a, (void)b, (void)steps, (void)color;
     END SOLUTION */
+}
+
+/* Draw the part of a line that lies in the image. Returns how many pixels it has. */
+static uint64_t line_inside(struct image *image, struct pixel a, struct pixel b,
+                            struct color color) {
+    struct steps steps = steps_inside(a, b, image->width, image->height);
+    if (steps.first > steps.last) {
+        return 0;
+    }
+    draw_steps(image, a, b, steps, color);
+    return (uint64_t)(steps.last - steps.first + 1);
 }
 
 #include "scenes.h"

@@ -4,11 +4,12 @@
  * `square` draws the sides of two faces, `points` the positions of a model as pixels, and
  * `wireframe` its sides, white on black. `border` draws a quarter of its faces and `enlarged` the
  * model much larger than the image, in images that are not square. `cut` draws single lines, and
- * `walked` how many pixels line() walked over for each of these and two long ones.
+ * `walked` how many pixels each of these and two long ones have in the image.
  */
 #ifdef LINE_IS_MINE /* make LINE=mine: the line() of lesson 1 draws */
 #include "run/mine.h"
-#define line my_line
+#define line        my_line
+#define line_inside my_line
 #endif
 
 #include "attempts.h"
@@ -122,18 +123,18 @@ static struct vec3 seen(struct vec3 position, struct view view) {
                          position.z};
 }
 
-#define LINE_ATTEMPTS "0 line(), 1 every pixel tested, 2 ends rounded"
-enum { SIDES_ONE_WAY = 3 }; /* of scene border alone */
+#define LINE_ATTEMPTS "0 line_inside(), 1 every pixel tested, 2 ends rounded"
 
-/* By an attempt, or by what the lesson writes. */
+/* Part b: by an attempt, or by what the lesson writes. */
 static attempt_line *line_of(const struct drawing *drawing) {
-    static attempt_line *const lines[] = {line, attempt_line_tested, attempt_line_ends_rounded};
-    return lines[(int)drawing_value(drawing, "attempt") % SIDES_ONE_WAY];
+    static attempt_line *const lines[] = {line_inside, line, attempt_line_ends_rounded};
+    return lines[(int)drawing_value(drawing, "attempt")];
 }
 
+/* With line() in part a: what is written in part b can't spoil its pictures. */
 static void draw_sides(struct drawing *drawing, const struct wireframe *wireframe,
-                       const struct vec3 *positions, struct view view, struct image *image) {
-    attempt_line *const draw = line_of(drawing);
+                       const struct vec3 *positions, struct view view, attempt_line *draw,
+                       struct image *image) {
     uint64_t drawn = 0, off_image = 0, too_far = 0;
     for (size_t i = 0; i < wireframe->side_count; i++) {
         struct side side = wireframe->sides[i];
@@ -144,9 +145,11 @@ static void draw_sides(struct drawing *drawing, const struct wireframe *wirefram
             continue;
         }
         uint64_t walked = draw(image, a, b, color_rgb(255, 255, 255));
+        /* line() draws whole lines, whatever it returns. */
+        bool is_off = draw != line && walked == 0;
         drawing_count(drawing, "pixels_walked", walked);
-        off_image += walked == 0;
-        drawn += walked > 0;
+        off_image += is_off;
+        drawn += !is_off;
     }
     drawing_count(drawing, "lines_drawn", drawn);
     drawing_count(drawing, "lines_off_image", off_image);
@@ -156,7 +159,7 @@ static void draw_sides(struct drawing *drawing, const struct wireframe *wirefram
 static bool draw_wireframe(struct drawing *drawing, struct image *image, struct error *error) {
     (void)error;
     const struct wireframe *wireframe = drawing->state;
-    draw_sides(drawing, wireframe, drawing->model->positions, (struct view){0, 0, 1}, image);
+    draw_sides(drawing, wireframe, drawing->model->positions, (struct view){0, 0, 1}, line, image);
     drawing_count(drawing, "lines_shared_skipped",
                   sides_of(drawing->model) - wireframe->side_count);
     return true;
@@ -166,11 +169,11 @@ static bool draw_part(struct drawing *drawing, const struct model *part, struct 
                       struct image *image, struct error *error) {
     struct wireframe wireframe = {0};
     bool made = wireframe_create(&wireframe, part, drawing->skip, error);
-    if (made && drawing_value(drawing, "attempt") == SIDES_ONE_WAY) {
+    if (made && drawing_value(drawing, "attempt") > 0) {
         wireframe.side_count = attempt_one_direction(part, wireframe.sides);
     }
     if (made) {
-        draw_sides(drawing, &wireframe, part->positions, view, image);
+        draw_sides(drawing, &wireframe, part->positions, view, line, image);
         drawing_count(drawing, "lines_shared_skipped", sides_of(part) - wireframe.side_count);
     }
     free(wireframe.sides);
@@ -220,7 +223,7 @@ static bool draw_square(struct drawing *drawing, struct image *image, struct err
 }
 
 static const struct scene_value border_values[] = {
-    {"attempt", LINE_ATTEMPTS ", 3 sides in one direction", 0, SIDES_ONE_WAY, 1, 0},
+    {"attempt", "0 each side once, 1 sides in one direction", 0, 1, 1, 0},
     {.name = NULL},
 };
 
@@ -247,7 +250,8 @@ static bool draw_enlarged(struct drawing *drawing, struct image *image, struct e
     (void)error;
     const struct vec2 middle = drawing_point(drawing, "middle");
     draw_sides(drawing, drawing->state, drawing->model->positions,
-               (struct view){middle.x, middle.y, drawing_value(drawing, "larger")}, image);
+               (struct view){middle.x, middle.y, drawing_value(drawing, "larger")},
+               line_of(drawing), image);
     return true;
 }
 
@@ -337,41 +341,41 @@ static bool draw_cut(struct drawing *drawing, struct image *image, struct error 
     return true;
 }
 
-/* A bar as long as a line was walked in an image of that size; the bars are stacked. */
-static bool draw_bar(struct image *image, int index, const struct cut_line *l, size_t width,
-                     size_t height, struct error *error) {
-    struct image canvas;
-    struct color color = cut_color(l->color);
-    if (!image_create(&canvas, width, height, IMAGE_BGR, error)) {
-        return false;
-    }
-    uint64_t walked = line(&canvas, l->a, l->b, color);
-    for (uint64_t x = 0; x < walked && x < image->width; x++) {
+/* A bar as long as the part of a line in an image of that size; the bars are stacked. */
+static void draw_bar(struct image *image, int index, const struct cut_line *l, size_t width,
+                     size_t height) {
+    struct steps steps = steps_inside(l->a, l->b, width, height);
+    for (int x = 0; x < (int)image->width && x <= steps.last - steps.first; x++) {
         for (int y = 1; y < 4; y++) {
-            image_set(image, (int)x, 4 * (CUT_LINES + 1 - index) + y, color);
+            image_set(image, x, 4 * (CUT_LINES + 1 - index) + y, cut_color(l->color));
         }
     }
-    image_free(&canvas);
-    return true;
 }
 
 /* A bar for each of these lines. The lowest two are for a line in a wide image and for the longest
  * line allowed, which passes so near to the lower left pixel that with a double it would come in
  * there. */
 static bool draw_walked(struct drawing *drawing, struct image *image, struct error *error) {
-    (void)drawing;
+    (void)drawing, (void)error;
     const struct cut_line wide = {{-2, 0}, {WIDE + 1, 2}, RED};
     const struct cut_line longest = {
         {-LINE_LIMIT, -LINE_LIMIT / 2}, {LINE_LIMIT, LINE_LIMIT / 2 - 1}, GREEN};
-    bool done = true;
-    for (int i = 0; done && i < CUT_LINES; i++) {
-        done = draw_bar(image, i, &cut_lines[i], CUT_WIDTH, CUT_HEIGHT, error);
+    for (int i = 0; i < CUT_LINES; i++) {
+        draw_bar(image, i, &cut_lines[i], CUT_WIDTH, CUT_HEIGHT);
     }
-    return done && draw_bar(image, CUT_LINES, &wide, WIDE, 3, error) &&
-           draw_bar(image, CUT_LINES + 1, &longest, CUT_WIDTH, CUT_HEIGHT, error);
+    draw_bar(image, CUT_LINES, &wide, WIDE, 3);
+    draw_bar(image, CUT_LINES + 1, &longest, CUT_WIDTH, CUT_HEIGHT);
+    return true;
 }
 
 /* ---- The program ---- */
+
+/* The whole model again, in images that are not square, or small. */
+#define WIREFRAME(scene_name, scene_width, scene_height)                                           \
+    {                                                                                              \
+        .name = scene_name, .detail = true, .needs = NEEDS_MODEL, .width = scene_width,            \
+        .height = scene_height, .draw = draw_wireframe                                             \
+    }
 
 static const struct scene scenes[] = {
     {.name = "square", .width = 100, .height = 100, .draw = draw_square},
@@ -388,6 +392,7 @@ static const struct scene scenes[] = {
      .height = 360,
      .values = border_values,
      .draw = draw_border},
+    {.name = "walked", .width = 320, .height = 4 * (CUT_LINES + 2), .draw = draw_walked},
     {.name = "enlarged",
      .detail = true,
      .needs = NEEDS_MODEL,
@@ -400,7 +405,10 @@ static const struct scene scenes[] = {
      .height = CUT_HEIGHT,
      .values = cut_values,
      .draw = draw_cut},
-    {.name = "walked", .width = 320, .height = 4 * (CUT_LINES + 2), .draw = draw_walked},
+    WIREFRAME("wide", 203, 67),
+    WIREFRAME("high", 61, 181),
+    WIREFRAME("small", 23, 13),
+    WIREFRAME("one_pixel", 1, 1),
 };
 
 static const struct program step02_wireframe = {

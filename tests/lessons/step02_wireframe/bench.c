@@ -95,7 +95,7 @@ static void frame_run(struct bench_choice choice) {
     frame.drawing.counter_count = 0;
     frame.drawing.value[0] = frame_lines[choice.way];
     draw_sides(&frame.drawing, frame_list(choice.way), frame.model.positions, enlarged,
-               &frame.timed);
+               line_of(&frame.drawing), &frame.timed);
 }
 
 /* Wrong and missing pixels per 1000. */
