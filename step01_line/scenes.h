@@ -1,8 +1,9 @@
 /*
  * Lesson 1, the given part: its scenes and the program.
  *
- * `pixel`; lines by line(): `line`, `octants`, `ties` and `far`; lines by line_list(): `list` and
- * `gradient`; or the lines of a text scene.
+ * `pixel`; lines by line(): `line`, `octants`, `ties` and `far`, and `wide`, `high`, `small` and
+ * `one_pixel` for images of other sizes; lines by line_list(): `list` and `gradient`; or the lines
+ * of a text scene.
  */
 
 /* The pixels of a line, to be freed by the caller; NULL when memory runs out. */
@@ -155,6 +156,24 @@ static bool draw_far(struct drawing *drawing, struct image *image, struct error 
     };
     for (size_t i = 0; i < sizeof lines / sizeof lines[0]; i++) {
         line(image, lines[i].a, lines[i].b, lines[i].color);
+    }
+    return true;
+}
+
+/* Lines from the middle of an image of any size to its border, every other one drawn inwards. */
+static bool draw_spokes(struct drawing *drawing, struct image *image, struct error *error) {
+    enum { SPOKES = 5 };
+    (void)drawing, (void)error;
+    const int right = (int)image->width - 1, top = (int)image->height - 1;
+    const struct pixel middle = {right / 2, top / 2};
+    for (int i = 0; i < SPOKES; i++) {
+        int x = right * i / (SPOKES - 1), y = top * i / (SPOKES - 1);
+        const struct pixel ends[] = {{x, 0}, {right, y}, {x, top}, {0, y}};
+        for (int k = 0; k < 4; k++) {
+            bool inwards = (i + k) % 2 != 0;
+            line(image, inwards ? ends[k] : middle, inwards ? middle : ends[k],
+                 inwards ? color_rgb(255, 0, 0) : color_rgb(255, 255, 255));
+        }
     }
     return true;
 }
@@ -348,6 +367,10 @@ static const struct scene scenes[] = {
     {.name = "far", .draw = draw_far},
     {.name = "list", .width = TIES_WIDTH, .height = TIES_HEIGHT, .draw = draw_list},
     {.name = "gradient", .draw = draw_gradient},
+    {.name = "wide", .width = 203, .height = 67, .draw = draw_spokes},
+    {.name = "high", .width = 61, .height = 181, .draw = draw_spokes},
+    {.name = "small", .width = 23, .height = 13, .draw = draw_spokes},
+    {.name = "one_pixel", .width = 1, .height = 1, .draw = draw_spokes},
 };
 
 static const struct program step01_line = {

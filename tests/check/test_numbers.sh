@@ -45,13 +45,13 @@ says '  numbers 1.3 CRASH 0/1: line_length((0, 0), (5, 2)) must be 6: step01_lin
 says ': division by zero'
 checked 0 nothing ''
 said_by 0 make -s check STEP=01 MARCH= CFLAGS=-O0 CHECK_TIMEOUT=20 SANITIZE=1
-says '17/17'
+says '22/22'
 
 # ---- What is not built ----
 
 : >step01_line/program.h
 checked 1 nothing ''
-says 'SCORE 0/17: step01_line/program.h: error: it hides common/program.h: give it another name'
+says 'SCORE 0/22: step01_line/program.h: error: it hides common/program.h: give it another name'
 rm step01_line/program.h
 checked 0 nothing ''
 awk 'BEGIN { for (i = 0; i < 50000; i++) print "/* a comment in many lines */" }' >>"$main"
