@@ -5,7 +5,8 @@
  * image; `signs` fills triangles by three signs, and `bust` the faces of a model, each in a colour
  * for itself. Part b draws the triangles and the model again, in `triangle` and `faces`; in `far`
  * triangles leave the image on all sides; `sheet` and `fan` show how often each pixel of a mesh is
- * drawn. Part c: `gradient` mixes the colours of the corners. A text scene draws its own triangles.
+ * drawn. Part c: `gradient` mixes the colours of the corners. `wide`, `high`, `small` and `one_pixel`
+ * are `faces` in images of other sizes. A text scene draws its own triangles.
  */
 #ifdef LINE_IS_MINE /* make LINE=mine: the line() of lesson 1 draws */
 #include "run/mine.h"
@@ -578,6 +579,13 @@ static bool draw_faces(struct drawing *drawing, struct image *image, struct erro
 
 /* ---- The program ---- */
 
+/* `faces` again, in images that are not square, or small. */
+#define FACES(scene_name, scene_width, scene_height)                                               \
+    {                                                                                              \
+        .name = scene_name, .detail = true, .needs = NEEDS_MODEL, .width = scene_width,            \
+        .height = scene_height, .draw = draw_faces                                                 \
+    }
+
 static const struct scene scenes[] = {
     {.name = "outline", .number = THREE, .draw = draw_outlines},
     {.name = "leaving", .width = 120, .height = 60, .number = LEAVING, .draw = draw_outlines},
@@ -589,6 +597,10 @@ static const struct scene scenes[] = {
     {.name = "fan", .width = 800, .height = 800, .number = FAN, .draw = draw_mesh},
     {.name = "faces", .needs = NEEDS_MODEL, .width = 800, .height = 800, .draw = draw_faces},
     {.name = "gradient", .width = 800, .height = 800, .number = COLORED, .draw = draw_list},
+    FACES("wide", 203, 67),
+    FACES("high", 61, 181),
+    FACES("small", 23, 13),
+    FACES("one_pixel", 1, 1),
 };
 
 static const struct program step03_triangle = {

@@ -7,7 +7,7 @@
 static const struct color called_white = {255, 255, 255, 255};
 
 /* Edges as triangle_setup() finds them: of the triangle that the text computes by hand, of the same
- * one given clockwise, of one outside the image, and of one that reaches far beyond it. */
+ * one given clockwise, and of others that a call names by their corners, in pixels or in steps. */
 static const struct edges called_by_hand = {
     .edge = {{1245184, -196608, -262144, 1}, {-196608, 196608, 0, 0}, {-262144, 0, 262144, 1}},
     .area = 786432,
@@ -34,31 +34,95 @@ static const struct edges called_far_away = {
     .y_end = 8,
     .width = 8};
 
+/* Its upper edge runs through pixel centres. */
+static const struct edges called_level = {
+    .edge = {{1048576, 0, -262144, 0}, {-196608, 196608, 0, 0}, {-65536, -196608, 262144, 1}},
+    .area = 786432,
+    .y_begin = 1,
+    .y_end = 5,
+    .width = 8};
+/* Its right edge leaves the image at the left. */
+static const struct edges called_at_the_left = {
+    .edge = {{830464, -768000, -643072, 1}, {6384000, 768000, 0, 0}, {321536, 0, 643072, 1}},
+    .area = 7536000,
+    .y_end = 8,
+    .width = 8};
+/* A pixel centre is as near to its right edge as one can be. */
+static const struct edges called_near = {.edge = {{-2581195, 316416, 572672, 0},
+                                                  {2895105, -359680, -365568, 1},
+                                                  {1064067, 43264, -207104, 0}},
+                                         .area = 1377977,
+                                         .y_begin = 1,
+                                         .y_end = 6,
+                                         .width = 8};
+/* A float has too few digits for these. */
+static const struct edges called_long = {.edge = {{4121019323244017, -78926510592, -72680448256, 1},
+                                                  {-130263306752, 37348807424, 30971499776, 0},
+                                                  {-166704548608, 41577703168, 41708948480, 0}},
+                                         .area = 4120722355388657,
+                                         .y_end = 8,
+                                         .width = 8};
+/* An edge meets row 0 at an x that does not fit in an int. */
+static const struct edges called_nearly_level = {
+    .edge = {{65535999999770624, -65536458752, 65536000000, 1},
+             {852223999872, -256, -131072000000, 1},
+             {65536065536229504, 65536459008, 65536000000, 0}},
+    .area = 131072917760000000,
+    .y_end = 7,
+    .width = 8};
+
+enum { CALLED_WIDTH = 9, CALLED_HEIGHT = 5 }; /* of an image that is not square */
+
 /* ---- Part a ---- */
 
 static struct shown called_line_drawn(struct pixel a, struct pixel b) {
-    struct image image = black_image(8, 8);
+    struct image image = black_image(CALLED_WIDTH, CALLED_HEIGHT);
     unsigned long long count = draw_line(&image, a, b, called_white);
     return show("%llu: %.150s", count, show_pixels(&image).text);
 }
 
-static struct shown called_box_drawn(struct vec2 a, struct vec2 b, struct vec2 c) {
-    struct image image = black_image(8, 8);
+/* "6: (1,1) (2,1)": how many it returns, and which it sets in an image of that size. */
+static struct shown called_box_drawn(struct vec2 a, struct vec2 b, struct vec2 c, size_t width,
+                                     size_t height) {
+    struct image image = black_image(width, height);
     unsigned long long count = box_triangle(&image, (struct vec2[3]){a, b, c}, called_white);
     return show("%llu: %.150s", count, show_pixels(&image).text);
 }
 
-/* The whole image. */
-static uint64_t called_boxed(void) {
-    struct image image = black_image(8, 8);
-    uint64_t count =
-        box_triangle(&image, (struct vec2[3]){{-9, -9}, {30, -9}, {-9, 30}}, called_white);
-    image_free(&image);
-    return count;
+/* What it must give with a side_of() that is right or wrong. */
+static struct shown called_box_by_sides(struct vec2 a, struct vec2 b, struct vec2 c, size_t width,
+                                        size_t height) {
+    struct image image = black_image(width, height);
+    struct span columns =
+        pixels_between(fmin(a.x, fmin(b.x, c.x)), fmax(a.x, fmax(b.x, c.x)), width);
+    struct span rows = pixels_between(fmin(a.y, fmin(b.y, c.y)), fmax(a.y, fmax(b.y, c.y)), height);
+    double area = side_of(a, b, c), sign = area > 0 ? 1 : -1;
+    unsigned count = 0;
+    for (int y = rows.begin; area != 0 && y < rows.end; y++) {
+        for (int x = columns.begin; x < columns.end; x++) {
+            struct vec2 center = {x + 0.5, y + 0.5};
+            if (sign * side_of(b, c, center) >= 0 && sign * side_of(c, a, center) >= 0 &&
+                sign * side_of(a, b, center) >= 0) {
+                image_set(&image, x, y, called_white);
+                count++;
+            }
+        }
+    }
+    return show("%u: %.150s", count, show_pixels(&image).text);
+}
+
+/* "45": without the pixels. */
+static struct shown called_count(struct shown shown) {
+    shown.text[strcspn(shown.text, ":")] = '\0';
+    return shown;
 }
 
 static struct shown called_turned_away(struct vec2 a, struct vec2 b, struct vec2 c) {
     return show_truth(is_turned_away((struct vec2[3]){a, b, c}));
+}
+
+static struct shown called_turned_by_sides(struct vec2 a, struct vec2 b, struct vec2 c) {
+    return show_truth(side_of(a, b, c) < 0);
 }
 
 /* ---- Part b ---- */
@@ -102,19 +166,48 @@ static struct shown called_found(const struct edges *edges, int y) {
     return span.begin == span.end ? show("empty") : show("%d to %d", span.begin, span.end);
 }
 
-static struct shown called_filled(struct fixed2 a, struct fixed2 b, struct fixed2 c) {
-    struct image image = black_image(8, 8);
+/* There is one more row above the image, for programs that draw there. */
+static struct image called_image(size_t width, size_t height) {
+    struct image image = black_image(width, height + 1);
+    image.height = height;
+    return image;
+}
+
+static struct shown called_filled(struct fixed2 a, struct fixed2 b, struct fixed2 c, size_t width,
+                                  size_t height) {
+    struct image image = called_image(width, height);
     unsigned long long count = triangle(&image, (struct fixed2[3]){a, b, c}, called_white);
     return show("%llu: %.150s", count, show_pixels(&image).text);
 }
 
-/* There is one more row above the image, for programs that draw there. */
-static uint64_t called_counted(struct fixed2 a, struct fixed2 b, struct fixed2 c) {
-    struct image image = black_image(8, 9);
-    image.height = 8;
-    uint64_t count = triangle(&image, (struct fixed2[3]){a, b, c}, called_white);
-    image_free(&image);
+/* The triangle by the functions that triangle() calls, right or wrong: its pixels in white, or in
+ * the colours that are mixed there. Returns their number. */
+static unsigned called_by_spans(struct image *image, const struct fixed2 corner[3],
+                                const struct color *colors) {
+    struct edges edges = {.y_begin = 0};
+    unsigned count = 0;
+    if (!triangle_setup(&edges, corner[0], corner[1], corner[2], image->width, image->height)) {
+        return 0;
+    }
+    for (int y = edges.y_begin; y < edges.y_end && y < (int)image->height; y++) {
+        struct span span = triangle_span(&edges, y);
+        count += (unsigned)(span.end - span.begin);
+        for (int x = 0; x < (int)image->width; x++) {
+            if (x >= span.begin && x < span.end) {
+                image_set(image, x, y,
+                          colors == NULL ? called_white
+                                         : mix_colors(triangle_weights(&edges, x, y), colors));
+            }
+        }
+    }
     return count;
+}
+
+static struct shown called_filled_by_spans(struct fixed2 a, struct fixed2 b, struct fixed2 c,
+                                           size_t width, size_t height) {
+    struct image image = called_image(width, height);
+    unsigned count = called_by_spans(&image, (struct fixed2[3]){a, b, c}, NULL);
+    return show("%u: %.150s", count, show_pixels(&image).text);
 }
 
 /* ---- Part c ---- */
@@ -124,23 +217,39 @@ static struct shown called_mixed(struct vec3 weight, struct color a, struct colo
     return show_color(mix_colors(weight, (struct color[3]){a, b, c}));
 }
 
+static const struct color called_colors[3] = {
+    {.r = 255, .a = 255}, {.g = 255, .a = 255}, {.b = 255, .a = 255}};
+
 /* How many pixels, and the colour of one, whose x is not its y. */
-static struct shown called_gradient(struct fixed2 a, struct fixed2 b, struct fixed2 c, int x,
-                                    int y) {
-    struct image image = black_image(8, 8);
-    const struct color colors[3] = {rgb(255, 0, 0), rgb(0, 255, 0), rgb(0, 0, 255)};
-    unsigned long long count = gradient_triangle(&image, (struct fixed2[3]){a, b, c}, colors);
+static struct shown called_gradient(struct fixed2 a, struct fixed2 b, struct fixed2 c, int x, int y,
+                                    bool by_spans) {
+    struct image image = called_image(CALLED_WIDTH, CALLED_HEIGHT);
+    const struct fixed2 corner[3] = {a, b, c};
+    unsigned long long count = by_spans ? called_by_spans(&image, corner, called_colors)
+                                        : gradient_triangle(&image, corner, called_colors);
     struct color color = image_get(&image, x, y);
     image_free(&image);
     return show("%llu pixels, (%d,%d) is %s", count, x, y, show_color(color).text);
 }
 
+/* How many pixels, and which. */
+static struct shown called_shaded(struct fixed2 a, struct fixed2 b, struct fixed2 c,
+                                  bool by_spans) {
+    struct image image = called_image(CALLED_WIDTH, CALLED_HEIGHT);
+    const struct fixed2 corner[3] = {a, b, c};
+    unsigned long long count = by_spans ? called_by_spans(&image, corner, called_colors)
+                                        : gradient_triangle(&image, corner, called_colors);
+    return show("%llu: %.150s", count, show_pixels(&image).text);
+}
+
 #define BOX(a, b, c, right)                                                                        \
-    TEXT("3a.3", "box_triangle(image, " #a " " #b " " #c ", white)",                               \
-         called_box_drawn(xy a, xy b, xy c), right)
+    TEXT_WITH("3a.3", "box_triangle(image, " #a " " #b " " #c ", white)",                          \
+              called_box_drawn(xy a, xy b, xy c, 8, 8), right,                                     \
+              called_box_by_sides(xy a, xy b, xy c, 8, 8))
 #define TURNED_AWAY(a, b, c, right)                                                                \
-    TEXT("3a.4", "is_turned_away(" #a " " #b " " #c ")", called_turned_away(xy a, xy b, xy c),     \
-         right)
+    TEXT_WITH("3a.4", "is_turned_away(" #a " " #b " " #c ")",                                      \
+              called_turned_away(xy a, xy b, xy c), right,                                         \
+              called_turned_by_sides(xy a, xy b, xy c))
 #define EDGE(p, q, sign, right)                                                                    \
     TEXT("3b.1", "make_edge(" #p ", " #q ", " #sign ")",                                           \
          called_edge_made(called_on p, called_on q, sign), right)
@@ -150,34 +259,59 @@ static struct shown called_gradient(struct fixed2 a, struct fixed2 b, struct fix
 #define SPAN(edges, name, y, right)                                                                \
     TEXT("3b.3", "triangle_span(edges of " name ", " #y ")", called_found(&(edges), y), right)
 #define FILLED(a, b, c, right)                                                                     \
-    TEXT("3b.4", "triangle(image, " #a " " #b " " #c ", white)",                                   \
-         called_filled(called_on a, called_on b, called_on c), right)
-#define COUNTED(a, b, c, right)                                                                    \
-    AS_WHOLE("3b.4", "triangle(image, " #a " " #b " " #c ", white)",                               \
-             called_counted(called_on a, called_on b, called_on c), right)
+    TEXT_WITH("3b.4", "triangle(image, " #a " " #b " " #c ", white)",                              \
+              called_filled(called_on a, called_on b, called_on c, CALLED_WIDTH, CALLED_HEIGHT),   \
+              right,                                                                               \
+              called_filled_by_spans(called_on a, called_on b, called_on c, CALLED_WIDTH,          \
+                                     CALLED_HEIGHT))
+#define COUNTED(a, b, c, width, height, right)                                                     \
+    TEXT_WITH("3b.4", "triangle(image of " #width " x " #height ", " #a " " #b " " #c ", white)",  \
+              called_count(called_filled(called_on a, called_on b, called_on c, width, height)),   \
+              right,                                                                               \
+              called_count(                                                                        \
+                  called_filled_by_spans(called_on a, called_on b, called_on c, width, height)))
 #define WEIGHTS(edges, name, x, y, right)                                                          \
     AS_VECTOR("3c.1", "triangle_weights(" name ", " #x ", " #y ")", vec3,                          \
               triangle_weights(&(edges), x, y), right)
 #define GRADIENT(a, b, c, x, y, right)                                                             \
-    TEXT("3c.3", "gradient_triangle(image, " #a " " #b " " #c ", red green blue)",                 \
-         called_gradient(called_on a, called_on b, called_on c, x, y), right)
+    TEXT_WITH("3c.3", "gradient_triangle(image, " #a " " #b " " #c ", red green blue)",            \
+              called_gradient(called_on a, called_on b, called_on c, x, y, false), right,          \
+              called_gradient(called_on a, called_on b, called_on c, x, y, true))
+#define SHADED(a, b, c, right)                                                                     \
+    TEXT_WITH("3c.3", "gradient_triangle(image, " #a " " #b " " #c ", red green blue)",            \
+              called_shaded(called_on a, called_on b, called_on c, false), right,                  \
+              called_shaded(called_on a, called_on b, called_on c, true))
+#define COUNT_SHADED(a, b, c, right)                                                               \
+    TEXT_WITH("3c.3", "gradient_triangle(image, " #a " " #b " " #c ", red green blue)",            \
+              called_count(called_shaded(called_on a, called_on b, called_on c, false)), right,    \
+              called_count(called_shaded(called_on a, called_on b, called_on c, true)))
 
 static void numbers(void) {
     TEXT("3a.1", "draw_line(image, (0, 0), (5, 2), white)", called_line_drawn(at(0, 0), at(5, 2)),
          "6: (0,0) (1,0) (2,1) (3,1) (4,2) (5,2)");
     TEXT("3a.1", "draw_line(image, (-5, 1), (-1, 2), white)",
          called_line_drawn(at(-5, 1), at(-1, 2)), "0: none");
+    TEXT("3a.1", "draw_line(image of 9 x 5, (3, -2), (8, 8), white)",
+         called_line_drawn(at(3, -2), at(8, 8)), "5: (4,0) (4,1) (5,2) (5,3) (6,4)");
+    TEXT("3a.1", "draw_line(image of 9 x 5, (12, 5), (6, 2), white)",
+         called_line_drawn(at(12, 5), at(6, 2)), "3: (6,2) (7,2) (8,3)");
     REAL("3a.2", side_of(xy(1, 1), xy(5, 1), xy(1, 4)), 12);
     REAL("3a.2", side_of(xy(5, 1), xy(1, 4), xy(2, 2)), 5);
     REAL("3a.2", side_of(xy(5, 1), xy(1, 4), xy(3, 3)), -2);
     REAL("3a.2", side_of(xy(1, 4), xy(1, 1), xy(1, 2)), 0);
     BOX((1, 1), (5, 1), (1, 4), "6: (1,1) (2,1) (3,1) (1,2) (2,2) (1,3)");
     BOX((1, 1), (1, 4), (5, 1), "6: (1,1) (2,1) (3,1) (1,2) (2,2) (1,3)");
+    BOX((7, 1), (2, 3), (2, 1), "5: (2,1) (3,1) (4,1) (5,1) (2,2)");
+    BOX((2, 3), (2, 1), (7, 1), "5: (2,1) (3,1) (4,1) (5,1) (2,2)");
+    BOX((2.3, 3.3), (2.9, 3.3), (2.5, 3.8), "1: (2,3)");
     BOX((0.5, 2.5), (4.5, 2.5), (6.5, 2.5), "0: none");
-    AS_WHOLE("3a.3", "box_triangle(image, (-9, -9) (30, -9) (-9, 30), white)", called_boxed(), 64);
+    TEXT_WITH("3a.3", "box_triangle(image of 9 x 5, (-9, -9) (30, -9) (-9, 30), white)",
+              called_count(called_box_drawn(xy(-9, -9), xy(30, -9), xy(-9, 30), 9, 5)), "45",
+              called_count(called_box_by_sides(xy(-9, -9), xy(30, -9), xy(-9, 30), 9, 5)));
     TURNED_AWAY((1, 1), (5, 1), (1, 4), "false");
     TURNED_AWAY((1, 1), (1, 4), (5, 1), "true");
     TURNED_AWAY((0, 0), (0, 0.5), (0.5, 0), "true");
+    TURNED_AWAY((1, 1), (3, 1), (5, 1), "false");
 
     EDGE((1408, 384), (384, 1152), 1, "origin 1245184, dx -196608, dy -262144, least 1");
     EDGE((384, 1152), (384, 384), 1, "origin -196608, dx 196608, dy 0, least 0");
@@ -191,15 +325,32 @@ static void numbers(void) {
     SET_UP((384, 384), (384, 1152), (1408, 384), -1,
            "area 786432, clockwise 1, rows 1 to 5, width 40, edges with sign -1");
     SET_UP((384, 384), (1408, 384), (2432, 384), 1, "false");
+    SET_UP((383, 383), (385, 383), (384, 385), 1,
+           "area 4, clockwise 0, rows 1 to 2, width 40, edges with sign 1");
+    SET_UP((-1000, 100), (-1000, 1000), (3000, 500), -1,
+           "area 3600000, clockwise 1, rows 0 to 4, width 40, edges with sign -1");
+    SET_UP((0, 0), (102400, 0), (0, 102400), 1,
+           "area 10485760000, clockwise 0, rows 0 to 8, width 40, edges with sign 1");
+    SET_UP((-230400000, -230400000), (230400000, 230399990), (230400000, 230400010), 1,
+           "area 9216000000, clockwise 0, rows 0 to 8, width 40, edges with sign 1");
     SPAN(called_by_hand, "the example", 2, "1 to 4");
     SPAN(called_by_hand, "the example", 4, "empty");
+    SPAN(called_turned, "the example given clockwise", 1, "empty");
+    SPAN(called_level, "(384, 384) (1408, 1152) (384, 1152)", 4, "1 to 5");
+    SPAN(called_at_the_left, "(-2000, 0) (512, 0) (-2000, 3000)", 2, "empty");
+    SPAN(called_at_the_left, "(-2000, 0) (512, 0) (-2000, 3000)", 3, "empty");
+    SPAN(called_near, "(725, 1568) (-84, 1399) (2153, 163)", 3, "3 to 6");
+    SPAN(called_long, "(384, 896) (162925964, -162412007) (-120982037, 145894675)", 3, "1 to 8");
     SPAN(called_at_the_right, "(4,0) (20,0) (20,12)", 1, "6 to 8");
     SPAN(called_at_the_right, "(4,0) (20,0) (20,12)", 6, "empty");
     SPAN(called_far_away, "(1e6,7) (-1e6,7) (0,-1e6)", 0, "0 to 8");
+    SPAN(called_nearly_level, "(-256000000, 1793) (0, -256000000) (256000000, 1792)", 0, "0 to 8");
     FILLED((384, 384), (1408, 384), (384, 1152), "5: (1,2) (2,2) (3,2) (1,3) (2,3)");
     FILLED((384, 384), (384, 1152), (1408, 384), "5: (1,2) (2,2) (3,2) (1,3) (2,3)");
-    COUNTED((1152, 128), (5248, 128), (5248, 3200), 3);
-    COUNTED((-2048, -2048), (8192, -2048), (-2048, 8192), 64);
+    FILLED((421, 53), (122, 639), (152, 694), "2: (1,0) (0,2)");
+    COUNTED((1152, 128), (5248, 128), (5248, 3200), 9, 5, "5");
+    COUNTED((-2048, -2048), (8192, -2048), (-2048, 8192), 9, 5, "45");
+    COUNTED((-2048, -2048), (8192, -2048), (-2048, 8192), 5, 9, "45");
 
     WEIGHTS(called_by_hand, "edges of the example", 2, 2, xyz(5 / 12.0, 3 / 12.0, 4 / 12.0));
     WEIGHTS(called_by_hand, "edges of the example", 1, 1, xyz(1, 0, 0));
@@ -213,4 +364,6 @@ static void numbers(void) {
          "106,64,85");
     GRADIENT((384, 384), (1408, 384), (384, 1152), 2, 3, "5 pixels, (2,3) is 21,64,170");
     GRADIENT((256, 256), (256, 1280), (1280, 256), 1, 3, "6 pixels, (1,3) is 64,159,32");
+    SHADED((384, 384), (1408, 384), (384, 1152), "5: (1,2) (2,2) (3,2) (1,3) (2,3)");
+    COUNT_SHADED((-2048, -2048), (8192, -2048), (-2048, 8192), "45");
 }
