@@ -6,8 +6,8 @@
  * `depth` shows its depths, `deep` the same ones far away below and very near above; `knot` is a
  * body that winds around itself. In `side` the light comes from the side, and falls on faces that
  * look away from us too. The cards of `cards` lie almost, or exactly, in one plane, or far apart;
- * `single` shows the depths of two cards, which are all the same. `wide`, `high`, `small` and
- * `one_pixel` draw the same in images of other shapes.
+ * `single` shows the depths of two cards, which are all the same. `wide`, `high`
+ * and `one_pixel` draw the same in images of other shapes, and `small` pairs of cards.
  */
 #include <stdlib.h>
 
@@ -313,6 +313,25 @@ static bool draw_cards(struct drawing *drawing, struct image *image, struct erro
     return true;
 }
 
+/* Pairs of cards in a row, each pair at another depth. The second card of a pair is a little nearer,
+ * and covers the lower half of the first one. */
+static bool draw_pairs(struct drawing *drawing, struct image *image, struct error *error) {
+    (void)error;
+    enum { PAIRS = 23 };
+    struct canvas canvas = {.image = image, .depth = drawing->depth};
+    for (int i = 0; i < PAIRS; i++) {
+        const double left = 2.0 * i / PAIRS - 1, depth = 0.0011 * i;
+        struct card card = {{left, -1.2}, {left + 2.0 / PAIRS, 1.2}, depth, {.a = 255}};
+        card.color = color_rgb((uint8_t)(40 + 8 * i), 60, (uint8_t)(220 - 8 * i));
+        draw_card(&card, &canvas);
+        card.high.y = 0.1;
+        card.depth = depth + 0.006;
+        card.color = color_rgb(230, 190, (uint8_t)(20 + 10 * i));
+        draw_card(&card, &canvas);
+    }
+    return true;
+}
+
 /* Two cards as near as each other, which cover the first pixel and the last one. */
 static bool draw_single(struct drawing *drawing, struct image *image, struct error *error) {
     (void)error;
@@ -423,8 +442,7 @@ static const struct scene scenes[] = {
         .needs = NEEDS_DEPTH,
         .width = 23,
         .height = 13,
-        .values = cards_values,
-        .draw = draw_cards,
+        .draw = draw_pairs,
     },
     {
         .name = "one_pixel",

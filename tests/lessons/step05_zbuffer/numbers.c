@@ -5,17 +5,18 @@
 #include "numbers.h"
 
 /* What is drawn on: SIDE x SIDE pixels, or a row; and room where nothing should be written. */
-enum { CALLED_SIDE = 8, CALLED_LONG_ROW = 800, CALLED_ROOM = 1024 };
+enum { CALLED_SIDE = 8, CALLED_LONG_ROW = 800, CALLED_BEFORE = 16, CALLED_ROOM = 1024 };
 static uint8_t called_bytes[3 * CALLED_ROOM];
-static double called_depths[CALLED_ROOM];
+static double called_all[CALLED_BEFORE + CALLED_ROOM], *const called_depths =
+                                                           called_all + CALLED_BEFORE;
 static struct image called_sheet;
 static struct canvas called_canvas;
 
 /* All black, and all of that depth. */
 static void called_begin(size_t width, size_t height, double depth) {
     memset(called_bytes, 0, sizeof called_bytes);
-    for (int i = 0; i < CALLED_ROOM; i++) {
-        called_depths[i] = depth;
+    for (int i = 0; i < CALLED_BEFORE + CALLED_ROOM; i++) {
+        called_all[i] = depth;
     }
     called_sheet = (struct image){width, height, IMAGE_BGR, called_bytes};
     called_canvas = (struct canvas){.image = &called_sheet, .depth = called_depths};
@@ -28,7 +29,7 @@ static void called_draw(struct vec2 a, struct vec2 b, int red) {
     draw_segment(&segment, &called_sheet, 0, called_depths);
 }
 
-/* The depth that a segment leaves in a row of that width, or behind it. */
+/* The depth that a segment leaves in a row of that width, or before or behind it. */
 static struct shown called_depth_at(struct vec2 a, struct vec2 b, size_t width, int column) {
     called_begin(width, 1, -INFINITY);
     called_draw(a, b, 1);
@@ -46,6 +47,22 @@ static struct shown called_row(const struct vec2 *ends, int count, bool depths) 
     for (int x = 0; x < CALLED_SIDE; x++) {
         shown = show("%.180s%s%.5g", shown.text, x > 0 ? " " : "",
                      depths ? called_depths[x] : image_get(&called_sheet, x, 0).r);
+    }
+    return shown;
+}
+
+/* Columns 0 to 3 of rows 0 and 1, after a segment was drawn into row 1. */
+static struct shown called_second_row(void) {
+    const struct segment segment = {{0.5, 1}, {2.5, 1}, rgb(7, 0, 0)};
+    struct shown shown = {""};
+    called_begin(4, 2, -INFINITY);
+    draw_segment(&segment, &called_sheet, 1, called_depths);
+    for (int i = 0; i < 8; i++) {
+        shown = show("%.90s%s%d", shown.text,
+                     i == 0   ? ""
+                     : i == 4 ? ", "
+                              : " ",
+                     image_get(&called_sheet, i % 4, i / 4).r);
     }
     return shown;
 }
@@ -155,6 +172,8 @@ static void numbers(void) {
          called_row(falling, 1, true), "3 2 1 0 -1 -2 -3 -4");
     TEXT("5.1", "draw_segment() from (-1.5, 5) to (14.5, -11): what is behind the 8 depths",
          called_depth_at(falling[0], falling[1], CALLED_SIDE, CALLED_SIDE), "-inf");
+    TEXT("5.1", "draw_segment() from (-1.5, 5) to (14.5, -11): what is before the 8 depths",
+         called_depth_at(falling[0], falling[1], CALLED_SIDE, -1), "-inf");
     TEXT("5.1",
          "draw_segment() in 1 from (0.5, 30) to (4.5, 10), in 2 from (-1.5, 20) to (6.5, 20): "
          "colors",
@@ -170,6 +189,8 @@ static void numbers(void) {
         "5.1",
         "draw_segment() in 1 from (0.5, -3) to (4.5, -3), in 2 from (0.5, -5) to (6.5, -5): colors",
         called_row(below_0, 2, false), "1 1 1 1 2 2 0 0");
+    TEXT("5.1", "draw_segment() in 7 from (0.5, 1) to (2.5, 1), in row 1: colors of rows 0, 1",
+         called_second_row(), "0 0 0 0, 7 7 0 0");
     TEXT("5.2", "triangle() in color 1 over depth 0.1: pixel (2,2)", called_drawn_over(0.1, 0),
          "color 1, depth 0.15");
     TEXT("5.2", "triangle() in color 1 over depth 0.2: pixel (2,2)", called_drawn_over(0.2, 0),

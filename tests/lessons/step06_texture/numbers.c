@@ -38,12 +38,12 @@ static struct color called_framed(int x, int y) {
     return x == CALLED_COLUMNS - 1 && y % 3 > 0 ? rgb(250, 150, 50) : rgb(10, 20, 30);
 }
 
-/* Levels 0, 1 and 2 are 40,0,200, then 140,20,100, then 240,40,0. */
-static struct texture called_levels(void) {
+/* Level 0 is of this colour, 0xAARRGGBB, and each level of the one before plus `more`. */
+static struct texture called_levels(uint32_t color, uint32_t more) {
     struct texture texture = called_made(4, 4, called_numbered);
-    for (uint32_t i = 0; i < texture.level_count; i++) {
+    for (size_t i = 0; i < texture.level_count; i++, color += more) {
         for (size_t k = 0; k < texture.level[i].pitch * texture.level[i].height; k++) {
-            texture.level[i].texels[k] = 0xff2800c8 + 0x641400 * i - 100 * i;
+            texture.level[i].texels[k] = color;
         }
     }
     return texture;
@@ -92,17 +92,22 @@ static struct shown called_drawn_twice(const struct texture *texture) {
     return show_color(image_get(&called_sheet, 2, 2));
 }
 
-/* The pixels at which a triangle stores its depth, whatever colour they have. */
-static struct shown called_pixels(const struct texture *texture) {
-    const struct vertex v[3] = {{.position = {256, 256}}, {{1280, 256}}, {{256, 1024}}};
+/* The depths of 5 x 3 pixels under a triangle that is larger, whatever colour they have. */
+static struct shown called_wide(const struct texture *texture) {
+    const struct vertex v[3] = {{.position = {-384, -384}, .depth = -21},
+                                {.position = {4736, -384}, .depth = -1},
+                                {.position = {-384, 4736}, .depth = 179}};
+    struct image wide = {5, 3, IMAGE_BGR, called_bytes};
     struct shown shown = {""};
     called_begin(-1);
+    called_canvas.image = &wide;
     triangle(&called_canvas, v, texture, 1);
-    for (int i = 0; i < CALLED_SIDE * CALLED_SIDE; i++) {
-        if (called_depths[i] != -1) {
-            shown = show("%.150s%s(%d,%d)", shown.text, shown.text[0] != '\0' ? " " : "",
-                         i % CALLED_SIDE, i / CALLED_SIDE);
-        }
+    for (int i = 0; i < 16; i++) {
+        shown = show("%.180s%s%.5g", shown.text,
+                     i == 0    ? ""
+                     : i == 15 ? ", behind "
+                               : " ",
+                     called_depths[i]);
     }
     return shown;
 }
@@ -213,7 +218,9 @@ static void numbers(void) {
     struct texture four = called_made(4, 3, called_numbered),
                    two = called_made(4, 2, called_drawing),
                    wide = called_made(16, 8, called_numbered);
-    struct texture levels = called_levels(), small = called_made(4, 2, called_drawing),
+    struct texture levels = called_levels(0xff282828, 0x646464),
+                   colors = called_levels(0xff2800c8, 0x631300 - 0x61),
+                   small = called_made(4, 2, called_drawing),
                    framed = called_made(CALLED_COLUMNS, 4, called_framed);
     struct texture drawn_again = two;
     texture_set_clamp(&four, true);
@@ -229,8 +236,8 @@ static void numbers(void) {
     TEXT_WITH("6a.2+6a.1", "triangle(), texel 250,150,50, and again, darker: pixel (2,2)",
               called_drawn_twice(&framed), "250,150,50",
               show_color(sample_nearest(&framed, called_place)));
-    TEXT("6a.2", "triangle() at (256, 256) (1280, 256) (256, 1024): depths stored",
-         called_pixels(&framed), "(1,1) (2,1) (3,1) (1,2) (2,2) (1,3)");
+    TEXT("6a.2", "triangle() over all of 5 x 3 pixels: their depths", called_wide(&framed),
+         "1 2 3 4 5 11 12 13 14 15 21 22 23 24 25, behind -1");
     VECTOR("6b.1", vec2, repeat(xy(0.3, 1.3)), xy(0.3, 0.3));
     VECTOR("6b.1", vec2, repeat(xy(-0.7, -1)), xy(0.3, 0));
     VECTOR("6b.1", vec2, repeat(xy(2, -2.25)), xy(0, 0.75));
@@ -244,7 +251,7 @@ static void numbers(void) {
               called_middle(0, 2), xyz(-1, 8 / 3.0, 4 / 3.0));
     texture = &two;
     VECTOR("6c.1", vec4, sample_bilinear(texture, xy(0.45, 0.5), 0), xyzw(130, 50, 7, 155));
-    VECTOR("6c.1", vec4, sample_bilinear(texture, xy(0.45, 0.3), 0), xyzw(130, 10, 7, 235));
+    VECTOR("6c.1", vec4, sample_bilinear(texture, xy(0.451, 0.3), 0), xyzw(130.4, 10, 7, 235));
     VECTOR("6c.1", vec4, sample_bilinear(texture, xy(0, 0), 0), xyzw(0, 0, 7, 255));
     VECTOR("6c.1", vec4, sample_bilinear(texture, xy(0.5, 1.5), 0), xyzw(150, 100, 7, 55));
     VECTOR("6c.1", vec4, sample_bilinear(texture, xy(0.5, 0.5), 1), xyzw(100, 50, 7, 155));
@@ -271,8 +278,10 @@ static void numbers(void) {
     texture = &small;
     TEXT("6e.2", "mip_level((0, 9), (1, 0), texture of 4 x 2 texels)",
          show("%.5g", mip_level(xy(0, 9), xy(1, 0), texture)), "2");
-    texture = &levels;
-    AT_LEVEL("level 0.5, by the step up: from 40,0,200 to 140,20,100", 0.25, 1, "90,10,150");
-    AT_LEVEL("level 0.5, by the step right: from 40,0,200 to 140,20,100", 1, 0.25, "90,10,150");
-    AT_LEVEL("level 0, by both steps: from 40,0,200", 0.25, 0.25, "40,0,200");
+    texture = &colors;
+    AT_LEVEL("level 0.75, by the step up: from 40,0,200 to 139,19,103", 0.25, sqrt(1.5),
+             "114,14,127");
+    AT_LEVEL("level 0.75, by the step right: from 40,0,200 to 139,19,103", sqrt(1.5), 0.25,
+             "114,14,127");
+    AT_LEVEL("level 0, by both steps: 40,0,200", 0.25, 0.25, "40,0,200");
 }
