@@ -29,16 +29,17 @@ static struct color mapped_color(const struct image *yours, const struct seen_ma
     return color_rgb(levels[map->channels[0]], levels[map->channels[1]], levels[map->channels[2]]);
 }
 
-/* How many pixels do not agree, yours mapped, and how many are drawn in either. Up to `near` pixels
- * away a colour is as good. */
+/* How many pixels do not agree, yours mapped, and how many are drawn in either: of all pixels, or of
+ * the first rows, where more than `most` have been found there. Up to `near` pixels away a colour is
+ * as good. */
 struct seen_count {
     size_t apart, drawn;
 };
 
 static struct seen_count count_apart(const struct image *reference, const struct image *yours,
-                                     const struct seen_map *map, int near) {
+                                     const struct seen_map *map, int near, size_t most) {
     struct seen_count count = {0, 0};
-    for (int y = 0; y < (int)reference->height; y++) {
+    for (int y = 0; y < (int)reference->height && count.apart <= most; y++) {
         for (int x = 0; x < (int)reference->width; x++) {
             struct color right = image_get(reference, x, y), is = mapped_color(yours, map, x, y);
             bool found = colors_agree(right, is);
@@ -55,9 +56,10 @@ static struct seen_count count_apart(const struct image *reference, const struct
 /* Does this map explain nearly all, and most of what is apart without it? */
 static bool is_map(const struct image *reference, const struct image *yours,
                    const struct seen_map *map, int near) {
-    struct seen_count mapped = count_apart(reference, yours, map, near);
-    struct seen_count before = count_apart(reference, yours, &same_place, near);
-    return TRUE_SHARE * mapped.apart <= mapped.drawn && 4 * mapped.apart < before.apart;
+    const size_t size = reference->width * reference->height;
+    struct seen_count mapped = count_apart(reference, yours, map, near, size / TRUE_SHARE);
+    return TRUE_SHARE * mapped.apart <= mapped.drawn &&
+           4 * mapped.apart < count_apart(reference, yours, &same_place, near, size).apart;
 }
 
 /* ---- What it may be ---- */
