@@ -163,7 +163,8 @@ static bool called_is_about(struct color c, struct vec3 v) {
         if (number_begin(task, name, show_color(right))) {                                         \
             const struct color yours = call;                                                       \
             number_end(show_color(yours), called_is_about(yours, called_vec3_of(right)) ||         \
-                                              called_is_about(yours, own));                        \
+                                              (called_is_about(yours, own) &&                      \
+                                               !says_nothing(show_color(yours).text)));            \
         }                                                                                          \
     } while (0)
 
