@@ -1,5 +1,5 @@
 #!/bin/sh
-# Does `make watch` check and show at every save, and leave nothing behind when it is ended?
+# Does `make watch` show and check at every save, and leave nothing behind when it is ended?
 . "$(dirname "$0")/../unit/script.sh"
 
 mkdir -p "$work/tests" "$work/step05_zbuffer" && cd "$work" || exit 1
@@ -8,13 +8,17 @@ cp -R "$top/tests/student" tests || exit 1
 mkdir -p some/build/quick
 cat >fake_make <<'END_OF_MAKE'
 #!/bin/sh
-echo "make:$MAKEFLAGS: $*"
-[ "$2" = check ] || exit
+echo "make:$MAKEFLAGS: $*" >>asked
+case $2 in
+check) echo 'It is checked.' ;;
+*) grep -q wrong step05_zbuffer/main.c && echo 'It does not build.' >&2 && exit 1 ;;
+esac
 [ ! -t 1 ] || echo 'The check sees a terminal.'
-cp step05_zbuffer/main.c some/build/step05_zbuffer.text
-sleep 1 # a file system may count seconds
-grep -q wrong step05_zbuffer/main.c || cp fake_make some/build/quick/step05_zbuffer
+echo ': >"$2/depth.tga"' >some/build/quick/step05_zbuffer
+echo 'echo "shown: $4"' >some/build/show
+chmod +x some/build/show some/build/quick/step05_zbuffer
 END_OF_MAKE
+: >asked
 chmod +x fake_make
 echo 'int a;' >step05_zbuffer/main.c
 said=said
@@ -34,8 +38,10 @@ MAKEFLAGS='s -j2 --jobserver-auth=3,4 -- CC=clang' \
     sh tests/student/watch.sh some/build "./fake_make -s" 5 depth >said 2>&1 &
 running=$!
 waits 1 "not checked at the beginning"
-says 'make:s -- CC=clang: -s check STEP=step05_zbuffer BUILD=some/build'
-says 'make:s -- CC=clang: -s show STEP=step05_zbuffer SCENE=depth BUILD=some/build'
+grep -qx 'make:s -- CC=clang: -s some/build/quick/step05_zbuffer .* BUILD=some/build' asked || wrong "not built"
+grep -qx 'make:s -- CC=clang: -s check STEP=step05_zbuffer BUILD=some/build' asked || wrong "not checked"
+[ "$(xargs <said)" = 'shown: depth It is checked. Waiting for the next save of step05_zbuffer; Ctrl-C ends.' ] ||
+    wrong "it says something else"
 touch step05_zbuffer/main.c
 sleep 2
 waits 1 "checked though nothing was saved"
@@ -46,10 +52,11 @@ sleep 2
 waits 2 "checked without a main.c"
 echo 'wrong' >step05_zbuffer/main.c
 waits 3 "a save is not seen"
-[ "$(grep -c ' show ' said)" -eq 2 ] || wrong "shown though it does not build"
+[ "$(grep -c shown: said)" -eq 2 ] || wrong "shown though it does not build"
+silent 'It does not build.' # the check says that
 echo 'int c;' >step05_zbuffer/main.c
 waits 4 "a save that repairs it is not seen"
-[ "$(grep -c ' show ' said)" -eq 3 ] || wrong "not shown though it builds again"
+[ "$(grep -c shown: said)" -eq 3 ] || wrong "not shown though it builds again"
 : >files # before find looks
 find . -type f | sort >files
 kill $running

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Builds, checks and shows a lesson again at every save of its sources, until Ctrl-C.
+# Builds, shows and checks a lesson again at every save of its sources, until Ctrl-C.
 #
 #     watch.sh BUILD MAKE STEP SCENE
 #
@@ -24,18 +24,13 @@ sums() {
     cksum "$lesson"/*.[ch] 2>/dev/null
 }
 
-# Is the program that of the sources as they are? What make knows of their text is newer than a
-# program that could not be built of it.
-is_built() {
-    program=$build/quick/$lesson
-    [ -x "$program" ] && [ -z "$(find "$build/$lesson.text" -newer "$program")" ]
-}
-
-# $make is a command with its options. At a terminal the check speaks to a person.
-check_and_show() {
+# $make is a command with its options. The pictures come first: a verdict takes longer. Why there are
+# none says the check, at a terminal as to a person.
+show_and_check() {
     [ ! -t 1 ] || printf '\033[H\033[2J\033[3J'
+    ! $make "$build/quick/$lesson" "$build/show" "$build/models/bust.obj" BUILD="$build" >/dev/null 2>&1 ||
+        sh tests/student/show.sh "$build" "$lesson" "$scene" "$WHICH" "$KIND"
     $make check STEP="$lesson" BUILD="$build" 2>&1
-    ! is_built || $make show STEP="$lesson" SCENE="$scene" BUILD="$build"
     echo "Waiting for the next save of $lesson; Ctrl-C ends."
 }
 
@@ -44,10 +39,10 @@ trap 'exit 0' HUP INT TERM
 seen=
 while :; do
     now=$(sums)
-    # A file that an editor is just replacing may be missing or empty: then the next second counts.
+    # A file that an editor is just replacing may be missing or empty: then the next look counts.
     if [ "$now" != "$seen" ] && [ -s "$lesson/main.c" ]; then
         seen=$now
-        check_and_show
+        show_and_check
     fi
-    sleep 1
+    sleep 0.2 2>/dev/null || sleep 1 # not every system has parts of seconds
 done
