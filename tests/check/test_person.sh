@@ -29,8 +29,8 @@ says_no() {
 
 awk -v mode=starter -f tests/student/marks.awk step01_line/main.c >"$main"
 checks 0
-says '0 of 13 points. Next: task 1.1; `make hint STEP=01 TASK=1.1` gives a hint.'
-says '7 more to come'
+says '0 of 17 points. Next: task 1.1; `make hint STEP=01 TASK=1.1` gives a hint.'
+says '11 more to come'
 says_no 'octants TODO'
 checks 1 VERBOSE=1
 says 'octants TODO'
@@ -41,7 +41,7 @@ says '0 passed, 1 failed'
 awk -v mode=solution -f tests/student/marks.awk step01_line/main.c >"$work/solution"
 cp "$work/solution" "$main"
 checks 0
-says 'All 13 points.'
+says 'All 17 points.'
 says 'tests/reference/step01_line/line.png' # build/show is not there
 says 'You can draw now: a line without gaps, exact, with whole numbers only.'
 says 'Next: `make start STEP=02` turns lesson 2 into its starter; then read step02_wireframe/README.md.'
@@ -49,7 +49,7 @@ says_no 'Difference images'
 
 sed 's/52, 41/41, 52/' "$work/solution" >"$main"
 checks 1
-says '12 of 13 points. First put right: task 1.1'
+says '16 of 17 points. First put right: task 1.1'
 says 'pixel FAIL 0/1'
 says 'right: line, octants'
 says_no 'Next: `make start'

@@ -40,8 +40,8 @@ scene line
 mistake short
 says both ends belong to the line
 scene numbers
-- return (size_t)walk.run + 1;
-+ return (size_t)walk.run;
+- return (size_t)(width > height ? width : height) + 1;
++ return (size_t)(width > height ? width : height);
 END
 cp "$top/step04_flat/main.c" step04_flat/main.c
 
