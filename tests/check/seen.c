@@ -158,7 +158,7 @@ static struct seen_text find_place(const struct image *reference, const struct i
     return seen;
 }
 
-/* The background: the colour that most pixels of the reference have, or black. (A panel's may be
+/* The background: the colour that most pixels of the reference have, but not all; or black. (A panel's may be
  * grey. Boyer and Moore, "MJRTY, a fast majority vote algorithm", 1981.) */
 static struct color find_background(const struct image *reference) {
     const size_t size = reference->width * reference->height;
@@ -180,7 +180,7 @@ static struct color find_background(const struct image *reference) {
             }
         }
     }
-    return 2 * count > size ? most : black;
+    return 2 * count > size && count < size ? most : black;
 }
 
 /* Pixels drawn in the reference, in it alone, in yours alone; and of those in both how many have

@@ -5,11 +5,16 @@
 . "$(dirname "$0")/../unit/script.sh"
 table=tests/check/scenes.txt
 
-# column PART LESSON: tasks that its scenes and numbers show (1) or need besides (2), one a line:
-# 5.1,5.2+5.3
+# column PART LESSON: tasks that its scenes and numbers show (1) or need besides or are spoilt by (2),
+# one a line: 5.1,5.2+5.3~5.4
 column() {
     awk -v part="$1" -v lesson="$2" '{ sub(/^call +/, "") }
-        $1 == lesson { split($3, parts, "+"); print parts[part] }' $table |
+        $1 == lesson {
+            sub(/[+~]/, " ", $3)
+            gsub(/[+~]/, ",", $3)
+            split($3, parts, " ")
+            print parts[part]
+        }' $table |
         tr ',' '\n' | grep . | sort -u
 }
 

@@ -52,7 +52,8 @@ contain_by_bwrap() {
         [ ! -f "$header" ] || set -- --ro-bind "$header" "$header" "$@"
     done
     # Directories that only lead to these would be for root alone.
-    for path in "$CONTAIN_COURSE"/step*/scenes.h "$CONTAIN_BUILD/models" "$program" "$writes"; do
+    for path in "$CONTAIN_COURSE"/step*/scenes.h "$CONTAIN_BUILD/models" "$CONTAIN_BUILD/quick/libcommon.a" \
+        "$program" "$writes"; do
         while [ "${path#/*/}" != "$path" ] && path=${path%/*}; do
             set -- --perms 0755 --dir "$path" "$@"
         done

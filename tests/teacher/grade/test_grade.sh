@@ -107,7 +107,7 @@ row() {
 }
 row solution "GRADED,$most,$most,3,3,.*"
 row starter "GRADED,0,$most,0,3,.*"
-row 'a%20b' "GRADED,$((most - 1)),$most,3,3,0,.*"
+row 'a%20b' "GRADED,$((most - 2)),$most,3,3,0,.*"
 row stored "GRADED,0,$most,0,3,.*,\"prints stored pictures: step01_line\""
 for file in report.html report.xml report.json log hidden sources; do
     [ -e "../out/submissions/a%20b/$file" ] || wrong "a b has no $file"

@@ -126,7 +126,7 @@ sed -e "/^Then read/s|.*|Then read [lesson $first]($first_lesson/README.md).|" \
     awk -v first="$first" -v last="$last" '
         function is_there(step) { return step + 0 >= first && step + 0 <= last }
         /^## More/ { exit }
-        /^    make solution/ { next }
+        /^    make solution/ || /^What is cloned is solved/ { next }
         /^<img src="tests\/reference/ { # a lesson that is not there
             match($0, /step[0-9]+/)
             if (!is_there(substr($0, RSTART + 4, RLENGTH - 4))) next

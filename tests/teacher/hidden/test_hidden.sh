@@ -192,7 +192,7 @@ until [ -e held.began ] || ! kill -0 $check 2>/dev/null; do sleep 0.1; done
 (failed=0 && hidden 0 2 5 "$work" && exit $failed) &
 beside=$!
 until grep -qs 'waiting' "$work/said" || ! kill -0 $beside 2>/dev/null; do sleep 0.1; done
-says 'check: waiting for another check in build'
+says 'check: waiting for another check in build/quick'
 touch held.go
 wait $check || wrong "the check that was waited for fails: $(cat "$work/check.said")"
 wait $beside || failed=1
@@ -209,7 +209,7 @@ until [ -e held.began ] || ! kill -0 $beside 2>/dev/null; do sleep 0.1; done
 "$build/check" --make "make $flags" 5 >"$work/said" 2>&1 &
 check=$!
 until grep -qs 'waiting' "$work/said" || ! kill -0 $check 2>/dev/null; do sleep 0.1; done
-says 'check: waiting for another check in build'
+says 'check: waiting for another check in build/quick'
 touch held.go
 wait $check || wrong "a check that waited fails"
 wait $beside || wrong "the hidden scenes that it waited for fail: $(cat "$work/hidden.said")"
