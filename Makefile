@@ -168,14 +168,15 @@ $(STEPS:%=$(BUILD)/quick/%): $(BUILD)/quick/%: %/main.c $(BUILD)/%.text $(BUILD)
 	$(LEND_QUICK)
 
 # A room is compiled as if it were one file, all.o: so no two of its files may give the same name to
-# different things. Each system shows it all that it has, and not what the first file asks for.
+# different things. Each system shows it all that it has, and not what the first file asks for. (What the
+# compiler warns of it says of the files one by one, in the full build.)
 QUICK_ROOMS := $(sort $(patsubst %/,$(BUILD)/quick/%/all.o,$(dir $(wildcard common/*/*.c))))
 $(foreach room,$(QUICK_ROOMS),$(eval $(room): $(wildcard $(room:$(BUILD)/quick/%/all.o=%/*.c))))
 define COMPILE_ROOM
 	@mkdir -p $(@D)
 	$(SAY) CC $(@D:$(BUILD)/quick/%=%)
 	$(Q)printf '#include "%s"\n' $(filter $(wildcard common/*/*.c) $(CHECKER_FILES),$^) | $(COMPILE) $(QUICK_ROOM) $(INCLUDES) \
-	    -Wno-shadow -Wno-sign-conversion -D_GNU_SOURCE -D_DARWIN_C_SOURCE -include stdio.h -MF $(@:.o=.d) -MT $@ -x c -c - -o $@
+	    -w -D_GNU_SOURCE -D_DARWIN_C_SOURCE -include stdio.h -MF $(@:.o=.d) -MT $@ -x c -c - -o $@
 endef
 $(QUICK_ROOMS): $(BUILD)/flags
 	$(COMPILE_ROOM)
@@ -183,7 +184,7 @@ $(QUICK_ROOMS): $(BUILD)/flags
 $(BUILD)/quick/%.o: %.c $(BUILD)/flags
 	@mkdir -p $(@D)
 	$(SAY) CC $<
-	$(Q)$(COMPILE) $(QUICK_ROOM) $(INCLUDES) -c $< -o $@
+	$(Q)$(COMPILE) -w $(QUICK_ROOM) $(INCLUDES) -c $< -o $@
 
 QUICK_COMMON = $(patsubst %.c,$(BUILD)/quick/%.o,$(wildcard common/*.c)) \
                $(filter-out %/sculptor/all.o,$(QUICK_ROOMS))

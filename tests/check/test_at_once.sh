@@ -32,12 +32,12 @@ EOF
 chmod +x compiler
 
 for program in step01_line check; do
-    said_by 0 make -s CC=./compiler MARCH= CHECKER=build/common/nothing.o build/$program
+    said_by 0 make -s CC=./compiler MARCH= CHECKER_FILES=common/nothing.c build/$program
     source=$(find . -name "main.c" -path "*$program*" -o -name "$program.c")
     sed 's/first/second/' "$source" >new && cp new "$source"
     rm -f linking
     : >slow
-    make -s CC=./compiler MARCH= CHECKER=build/common/nothing.o build/$program >"$said" 2>&1 &
+    make -s CC=./compiler MARCH= CHECKER_FILES=common/nothing.c build/$program >"$said" 2>&1 &
     running=$!
     tries=0
     while [ ! -f linking ] && [ $tries -lt 20 ]; do

@@ -76,7 +76,7 @@ touch -t 199901010000 $two/main.c
 redone "$two.text $(program $two) $(drawn $two)"
 after $one/scenes.h 'extern const int used;'
 touch -t 199901010000 $one/scenes.h
-redone "$one.text $(program $one)" check
+redone "$one.text $(program quick/$one)" check
 mkdir $two/parts && echo 'extern const int used_in_part;' >$two/parts/part.h
 echo '#include "parts/part.h"' >>$two/main.c
 make -s CFLAGS=-O0 MARCH= >log 2>&1 || wrong "$(cat log)"
@@ -84,10 +84,11 @@ after $two/parts/part.h 'extern const int used_in_part_too;'
 touch -t 199901010000 $two/parts/part.h
 redone "$two.text $(program $two) $(drawn $two)"
 after common/raster.c '/* The end. */'
-redone "common/raster.d common/raster.o libcommon.a sculptor models/bust.obj \
+redone "common/raster.d common/raster.o libcommon.a \
+    quick/common/raster.d quick/common/raster.o quick/libcommon.a sculptor models/bust.obj \
     $(program $one) $(drawn $one) $(program $two) $(drawn $two)"
 after tests/check/run.c '/* The end. */'
-redone "check tests/check/run.d tests/check/run.o" check STEP=02
+redone "check quick/tests/check/all.d quick/tests/check/all.o" check STEP=02
 
 # Every check shows the warnings, whoever has built the program.
 unused_is_shown() {
@@ -96,10 +97,11 @@ unused_is_shown() {
 after $two/main.c 'static int unused_here;'
 redone "$two.text $(program $two) $(drawn $two)"
 unused_is_shown
-after
-redone "$(program $two)" check
+after $two/main.c 'extern const int used_again;'
+redone "$two.text $(program quick/$two)" check
 unused_is_shown
-redone "$(program $two)" check
+after
+redone "$(program quick/$two)" check
 unused_is_shown
 
 # The line() that the second lesson draws with is that of the first one's main.c as it is now.

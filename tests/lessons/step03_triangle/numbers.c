@@ -278,11 +278,11 @@ static struct shown called_shaded(struct fixed2 a, struct fixed2 b, struct fixed
               called_gradient(called_on a, called_on b, called_on c, x, y, false), right,          \
               called_gradient(called_on a, called_on b, called_on c, x, y, true))
 #define SHADED(a, b, c, right)                                                                     \
-    TEXT_WITH("3c.3", "gradient_triangle(image, " #a " " #b " " #c ", red green blue)",            \
+    TEXT_WITH("3c.3", "pixels of gradient_triangle(image, " #a " " #b " " #c ", red green blue)",  \
               called_shaded(called_on a, called_on b, called_on c, false), right,                  \
               called_shaded(called_on a, called_on b, called_on c, true))
 #define COUNT_SHADED(a, b, c, right)                                                               \
-    TEXT_WITH("3c.3", "gradient_triangle(image, " #a " " #b " " #c ", red green blue)",            \
+    TEXT_WITH("3c.3", "count of gradient_triangle(image, " #a " " #b " " #c ", red green blue)",   \
               called_count(called_shaded(called_on a, called_on b, called_on c, false)), right,    \
               called_count(called_shaded(called_on a, called_on b, called_on c, true)))
 
