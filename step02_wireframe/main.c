@@ -82,7 +82,8 @@ static bool to_pixel(struct vec3 position, size_t width, size_t height, struct p
 
 /* ---- A line ---- */
 
-/* Draw a whole line, as in lesson 1. Returns how many pixels it walked over, in the image or not. */
+/* Draw a whole line, as in lesson 1. Returns how many pixels it walked over, in the image or
+ * not. */
 static uint64_t line(struct image *image, struct pixel a, struct pixel b, struct color color) {
     /* BEGIN SOLUTION 2a.3 a line */
     int64_t x_distance = (int64_t)b.x - a.x, y_distance = (int64_t)b.y - a.y;

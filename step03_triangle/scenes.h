@@ -5,8 +5,8 @@
  * image; `signs` fills triangles by three signs, and `bust` the faces of a model, each in a colour
  * for itself. Part b draws the triangles and the model again, in `triangle` and `faces`; in `far`
  * triangles leave the image on all sides; `sheet` and `fan` show how often each pixel of a mesh is
- * drawn. Part c: `gradient` mixes the colours of the corners. `wide`, `high`, `small` and `one_pixel`
- * are `faces` in images of other sizes. A text scene draws its own triangles.
+ * drawn. Part c: `gradient` mixes the colours of the corners. `wide`, `high`, `small` and
+ * `one_pixel` are `faces` in images of other sizes. A text scene draws its own triangles.
  */
 #ifdef LINE_IS_MINE /* make LINE=mine: the line() of lesson 1 draws */
 #include "run/mine.h"

@@ -6,8 +6,8 @@
  * three reach too far for the screen, and nothing of them is drawn; four leave the image, one looks
  * away and is lit from behind, and many are smaller than a pixel. Faces on which no light falls are
  * not drawn. With the light in the viewer's direction these are the faces that show their backs;
- * what lies behind something else is still painted over it: that is lesson 5. `wide` and `high` draw
- * models in images of other shapes, `small` and `one_pixel` faces that cover all of theirs.
+ * what lies behind something else is still painted over it: that is lesson 5. `wide` and `high`
+ * draw models in images of other shapes, `small` and `one_pixel` faces that cover all of theirs.
  */
 
 #include "attempts.h"

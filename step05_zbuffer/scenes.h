@@ -313,8 +313,8 @@ static bool draw_cards(struct drawing *drawing, struct image *image, struct erro
     return true;
 }
 
-/* Pairs of cards in a row, each pair at another depth. The second card of a pair is a little nearer,
- * and covers the lower half of the first one. */
+/* Pairs of cards in a row, each pair at another depth. The second card of a pair is a little
+ * nearer, and covers the lower half of the first one. */
 static bool draw_pairs(struct drawing *drawing, struct image *image, struct error *error) {
     (void)error;
     enum { PAIRS = 23 };

@@ -9,7 +9,8 @@
  * repeat. `close` is a wall right before the camera, bilinear. `softer` shows the mip levels of
  * that picture, and what is between them. `mipmapped` is the room with a mip level for every pixel,
  * and `checker` is a plane of tiles towards the horizon, with mip levels, too. `wide` and `high`
- * draw the same in images of other shapes, `small` and `one_pixel` a board that covers all of theirs.
+ * draw the same in images of other shapes, `small` and `one_pixel` a board that covers all of
+ * theirs.
  */
 
 /* ---- Scene: texture ---- */

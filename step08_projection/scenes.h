@@ -17,8 +17,8 @@
  *
  * Part e: in `closeup` and `endless` faces pass behind the camera.
  *
- * `wide`, `high`, `small` and `one_pixel` draw `viewport`, `lookat`, `closeup` and `wall` in images of
- * other shapes.
+ * `wide`, `high`, `small` and `one_pixel` draw `viewport`, `lookat`, `closeup` and `wall` in images
+ * of other shapes.
  */
 #include <stdlib.h>
 

@@ -49,8 +49,8 @@ static lanes integer_power(lanes base, lanes power, int largest_power) {
 }
 
 /* Where a mirror with this normal sends the light: r, which makes the same angle with the normal as
- * `to_light`, on the other side of it and in one plane with both. All point away from the mirror and
- * have length 1. For the normal (0, 1, 0) and `to_light` (0.8, 0.6, 0) it is (-0.8, 0.6, 0). */
+ * `to_light`, on the other side of it and in one plane with both. All point away from the mirror
+ * and have length 1. For the normal (0, 1, 0) and `to_light` (0.8, 0.6, 0) it is (-0.8, 0.6, 0). */
 static struct lanes3 reflect(struct lanes3 normal, struct lanes3 to_light) {
     /* BEGIN SOLUTION 10b.2 the mirrored light */
     return lanes3_sub(lanes3_scale(normal, 2 * lanes3_dot(normal, to_light)), to_light);

@@ -260,8 +260,8 @@ static inline struct shown show_pixels(struct image *image) {
         }                                                                                          \
     } while (0)
 
-/* The same, of a function that calls those of other tasks: `own` is what it must give with yours of
- * them, which is right, too, unless it says nothing. A mistake in one of them costs its own task. */
+/* The same, of a function that calls those of other tasks: `own` is what it must give with yours
+ * of them, which is right, too, unless it says nothing. A mistake in one costs its own task. */
 #define TEXT_WITH(task, name, call, right, own)                                                    \
     do {                                                                                           \
         if (number_begin(task, name, show("%s", right))) {                                         \

@@ -27,10 +27,10 @@ void ask_for_large_pages(void *block, size_t size) {
 #ifdef __GLIBC__
 #include <malloc.h>
 
-/* The heap grows by HEAP around a small block, which is freed again: what it has grown by stays there,
- * in large pages from then on. (A block of that size would do as well, but where MALLOC_PERTURB_ is
- * set, as by the check, all of it would be written.) Only what is very large still comes from the
- * system one by one: it can grow without being copied. */
+/* The heap grows by HEAP around a small block, which is freed again: what it has grown by stays
+ * there, in large pages from then on. (A block of that size would do as well, but where
+ * MALLOC_PERTURB_ is set, as by the check, all of it would be written.) Only what is very large
+ * still comes from the system one by one: it can grow without being copied. */
 void keep_freed_memory(void) {
     enum { HEAP = 30 * MEGABYTE, BLOCK = MEGABYTE / 2, USUAL_PAD = 128 * 1024 };
     mallopt(M_TRIM_THRESHOLD, 2 * HEAP);

@@ -188,8 +188,8 @@ static bool has_wrong_numbers(const struct step_result *step, const struct task_
     return wrong && !task->perhaps;
 }
 
-/* Of the tasks that only may be at fault, and whose calls pass, the one that the first item which is
- * wrong leads to. */
+/* Of the tasks that only may be at fault, and whose calls pass, the one that the first item which
+ * is wrong leads to. */
 static const struct task_result *find_last_resort(const struct step_result *step) {
     const char *task = "";
     for (size_t i = step->item_count; i-- > 0;) {
@@ -204,8 +204,8 @@ static const struct task_result *find_last_resort(const struct step_result *step
     return i < step->task_count ? &step->tasks[i] : NULL;
 }
 
-/* The task to go on with: the first whose calls fail, else that is wrong for sure, else that perhaps
- * is, rather one whose calls do not pass; else the first that is to do; or NULL. */
+/* The task to go on with: the first whose calls fail, else that is wrong for sure, else that
+ * perhaps is, rather one whose calls do not pass; else the first that is to do; or NULL. */
 static const struct task_result *find_next(const struct step_result *step) {
     enum { WRONG_CALLS, OTHERS, LAST_RESORT = OTHERS + 3, TO_DO, NOTHING };
     const struct task_result *next = NULL;

@@ -281,7 +281,7 @@ struct result_text result_advice(const struct step_result *result, const struct 
     }
     const char *first = result_first_suspect(result, item);
     result_say(&advice, "; make hint STEP=%.2s TASK=%s", result->name + strlen("step"), first);
-    for (size_t i = 1; i < item->looks_task_count; i++) {
+    for (size_t i = 0; i < item->looks_task_count; i++) {
         if (strcmp(item->looks_tasks[i].text, first) != 0) {
             result_say(&advice, " or TASK=%s", item->looks_tasks[i].text);
         }

@@ -2,8 +2,8 @@
  * What a check has found: filled in once, and read by whoever reports it.
  *
  * A step has items: its pictures, and what else the table of scenes wants: counters of work,
- * relations, numbers. Points belong to items and are shared out evenly to their tasks, so the tasks'
- * points add up to the step's too.
+ * relations, numbers. Points belong to items and are shared out evenly to their tasks, so the
+ * tasks' points add up to the step's too.
  */
 #ifndef TESTS_CHECK_RESULT_H
 #define TESTS_CHECK_RESULT_H

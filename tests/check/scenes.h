@@ -32,8 +32,7 @@ struct credit {
     size_t task_count;                        /* at least 1 */
     struct task_name needs[SCENE_TASK_LIMIT]; /* other tasks, or "8b": all of a part */
     size_t need_count;
-    struct task_name
-        spoilers[SCENE_TASK_LIMIT]; /* later ones, which it doesn't need but can show */
+    struct task_name spoilers[SCENE_TASK_LIMIT]; /* later ones: not needed, but they can show */
     size_t spoiler_count;
     unsigned points; /* a multiple of task_count, not 0 */
 };

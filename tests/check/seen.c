@@ -29,9 +29,9 @@ static struct color mapped_color(const struct image *yours, const struct seen_ma
     return color_rgb(levels[map->channels[0]], levels[map->channels[1]], levels[map->channels[2]]);
 }
 
-/* How many pixels do not agree, yours mapped, and how many are drawn in either: of all pixels, or of
- * the first rows, where more than `most` have been found there. Up to `near` pixels away a colour is
- * as good. */
+/* How many pixels do not agree, yours mapped, and how many are drawn in either: of all pixels, or
+ * of the first rows, where more than `most` have been found there. Up to `near` pixels away a
+ * colour is as good. */
 struct seen_count {
     size_t apart, drawn;
 };
@@ -158,8 +158,8 @@ static struct seen_text find_place(const struct image *reference, const struct i
     return seen;
 }
 
-/* The background: the colour that most pixels of the reference have, but not all; or black. (A panel's may be
- * grey. Boyer and Moore, "MJRTY, a fast majority vote algorithm", 1981.) */
+/* The background: the colour that most pixels of the reference have, but not all; or black. (A
+ * panel's may be grey. Boyer and Moore, "MJRTY, a fast majority vote algorithm", 1981.) */
 static struct color find_background(const struct image *reference) {
     const size_t size = reference->width * reference->height;
     const struct color black = {0};

@@ -22,9 +22,9 @@ static size_t read_tasks(struct task_name *tasks, const char *text) {
     return count;
 }
 
-/* "KIND TASKS NEEDS STATE LOOKS": what is wrong is FAIL, or CRASH; NEEDS behind a ~ are spoilers; LOOKS are the tasks of the
- * mistakes that it looks like. A `counter` or one that is `unjudged` is about no picture; in one
- * that is `blank` nothing is drawn; `numbers` are those of one task. */
+/* "KIND TASKS NEEDS STATE LOOKS": what is wrong is FAIL, or CRASH; NEEDS behind a ~ are spoilers;
+ * LOOKS are the tasks of the mistakes that it looks like. A `counter` or one that is `unjudged` is
+ * about no picture; in one that is `blank` nothing is drawn; `numbers` are those of one task. */
 static void read_item(struct item_result *item, struct credit *credit, const char *text) {
     char kind[LINE_LIMIT], tasks[LINE_LIMIT], needs[LINE_LIMIT], state[LINE_LIMIT],
         looks[LINE_LIMIT];

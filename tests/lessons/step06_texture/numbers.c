@@ -152,8 +152,8 @@ static struct vec3 called_middle(int x, int y) {
     return xyz(uv.x, uv.y, w);
 }
 
-/* A plane whose pixel (0,0) shows (1000.25, -600.5) at w = 2. In a texture of 4 x 4 texels the steps
- * are `right` texels to the right and `up` texels up, along both u and v. The picture begins
+/* A plane whose pixel (0,0) shows (1000.25, -600.5) at w = 2. In a texture of 4 x 4 texels the
+ * steps are `right` texels to the right and `up` texels up, along both u and v. The picture begins
  * again there: a step from a repeated place is another one. */
 static struct quotients called_steps(double right, double up) {
     const double gain = 1 / 4096.0, u = 1000.25, v = -600.5;

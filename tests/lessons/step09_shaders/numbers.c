@@ -50,8 +50,8 @@ static struct shown called_placed(size_t face, enum placed_part part) {
                       at[1].x / 256.0, at[1].y / 256.0, at[2].x / 256.0, at[2].y / 256.0);
 }
 
-/* Does place_face() fill in what it says it does? Otherwise the rest of a face is what was in memory
- * before, and whoever draws it can't help that. */
+/* Does place_face() fill in what it says it does? Otherwise the rest of a face is what was in
+ * memory before, and whoever draws it can't help that. */
 static bool called_places_whole_faces(void) {
     const struct draw_call call = called_call_of(CULL_NONE);
     bool whole = true;
@@ -118,9 +118,9 @@ static struct shown called_reds(struct image *image) {
     return called_in_rows(reds, count);
 }
 
-/* A triangle with the corners (0, 0), (8, 0) and (0, 8) over 3 x 2 pixels: what is in the image, its
- * first pixel's colour, or what is in the depth buffer, which was `before`. The triangle's depth is
- * 0.5, 1.5, 2.5 in its columns, its varying 1 is 0, 80 and 160 at its corners. */
+/* A triangle with the corners (0, 0), (8, 0) and (0, 8) over 3 x 2 pixels: what is in the image,
+ * its first pixel's colour, or what is in the depth buffer, which was `before`. The triangle's
+ * depth is 0.5, 1.5, 2.5 in its columns, its varying 1 is 0, 80 and 160 at its corners. */
 static struct shown called_drawn(enum called_part part, double before, double recip_w,
                                  struct rectangle view, called_pixel_function *pixel) {
     double depth[CALLED_WIDTH * CALLED_HEIGHT];
@@ -493,8 +493,8 @@ static bool called_counting_pixel(const void *u, const double *varyings, struct 
     return called_grey_pixel(u, varyings, rgb);
 }
 
-/* Two such faces, B nearer, by shade_band() in these rows of 3 x 2 pixels: in its first row it finds
- * A, none and A, in its second one none, B and A. The greys, or the calls. */
+/* Two such faces, B nearer, by shade_band() in these rows of 3 x 2 pixels: in its first row it
+ * finds A, none and A, in its second one none, B and A. The greys, or the calls. */
 static struct shown called_shaded_band(struct span rows, double recip_w,
                                        called_pixel_function *pixel, enum called_part part) {
     uint32_t nearest[CALLED_WIDTH * CALLED_HEIGHT] = {1, 0, 1, 0, 2, 1};
@@ -564,7 +564,8 @@ static struct shown called_drawn_visibly(bool by_parts, int height, int band_row
     TEXT("9a.1", "place_face(call, " #face ", placed)" name, called_placed(face, part), right)
 #define DRAWN(name, part, before, recip_w, view, pixel, right)                                     \
     TEXT("9a.2", "draw_pixels() " name, called_drawn(part, before, recip_w, view, pixel), right)
-/* A row of a task that has your place_face() place its faces: it's right where these aren't whole. */
+/* A row of a task that has your place_face() place its faces: it's right where these aren't
+ * whole. */
 #define PLACED_BY_YOU(task, name, call, right, own)                                                \
     do {                                                                                           \
         const bool whole_ones = called_places_whole_faces();                                       \
