@@ -282,8 +282,9 @@ struct result_text result_advice(const struct step_result *result, const struct 
     const char *first = result_first_suspect(result, item);
     result_say(&advice, "; make hint STEP=%.2s TASK=%s", result->name + strlen("step"), first);
     for (size_t i = 0; i < item->looks_task_count; i++) {
-        if (strcmp(item->looks_tasks[i].text, first) != 0) {
-            result_say(&advice, " or TASK=%s", item->looks_tasks[i].text);
+        const char *other = item->looks_tasks[i].text;
+        if (strcmp(other, first) != 0 && !result_numbers_blame_others(result, item, other)) {
+            result_say(&advice, " or TASK=%s", other);
         }
     }
     return advice;
