@@ -373,8 +373,8 @@ static bool draw_walked(struct drawing *drawing, struct image *image, struct err
 /* The whole model again, in images that are not square, or small. */
 #define WIREFRAME(scene_name, scene_width, scene_height)                                           \
     {                                                                                              \
-        .name = scene_name, .detail = true, .needs = NEEDS_MODEL, .width = scene_width,            \
-        .height = scene_height, .draw = draw_wireframe                                             \
+        .name = (scene_name), .detail = true, .needs = NEEDS_MODEL, .width = (scene_width),        \
+        .height = (scene_height), .draw = draw_wireframe                                           \
     }
 
 static const struct scene scenes[] = {

@@ -582,8 +582,8 @@ static bool draw_faces(struct drawing *drawing, struct image *image, struct erro
 /* `faces` again, in images that are not square, or small. */
 #define FACES(scene_name, scene_width, scene_height)                                               \
     {                                                                                              \
-        .name = scene_name, .detail = true, .needs = NEEDS_MODEL, .width = scene_width,            \
-        .height = scene_height, .draw = draw_faces                                                 \
+        .name = (scene_name), .detail = true, .needs = NEEDS_MODEL, .width = (scene_width),        \
+        .height = (scene_height), .draw = draw_faces                                               \
     }
 
 static const struct scene scenes[] = {

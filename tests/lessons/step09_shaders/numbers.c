@@ -569,7 +569,8 @@ static struct shown called_drawn_visibly(bool by_parts, int height, int band_row
 #define PLACED_BY_YOU(task, name, call, right, own)                                                \
     do {                                                                                           \
         const bool whole_ones = called_places_whole_faces();                                       \
-        TEXT_WITH(task, name, whole_ones ? call : show("-"), right, whole_ones ? own : show("-")); \
+        TEXT_WITH(task, name, whole_ones ? (call) : show("-"), right,                              \
+                  whole_ones ? (own) : show("-"));                                                 \
     } while (0)
 #define ASKED(cull, right)                                                                         \
     PLACED_BY_YOU("9a.3+9a.1", "simple_draw(), " #cull, called_asked_by_draw(cull), right,         \
