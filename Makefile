@@ -176,7 +176,7 @@ define COMPILE_ROOM
 	@mkdir -p $(@D)
 	$(SAY) CC $(@D:$(BUILD)/quick/%=%)
 	$(Q)printf '#include "%s"\n' $(filter $(wildcard common/*/*.c) $(CHECKER_FILES),$^) | $(COMPILE) $(QUICK_ROOM) $(INCLUDES) \
-	    -w -D_GNU_SOURCE -D_DARWIN_C_SOURCE -include stdio.h -MF $(@:.o=.d) -MT $@ -x c -c - -o $@
+	    -iquote . -w -D_GNU_SOURCE -D_DARWIN_C_SOURCE -include stdio.h -MF $(@:.o=.d) -MT $@ -x c -c - -o $@
 endef
 $(QUICK_ROOMS): $(BUILD)/flags
 	$(COMPILE_ROOM)

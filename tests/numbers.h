@@ -285,12 +285,13 @@ int main(int argc, char **argv) {
         fprintf(stderr, "usage: numbers FILE FIRST [TASK ...]\n");
         return 2;
     }
-    number_state.file = fopen(argv[1], "ab");
+    FILE *earlier = fopen(argv[1], "rb");
+    bool is_new = earlier == NULL || (fgetc(earlier) == EOF && fclose(earlier) == 0);
+    number_state.file = is_new ? fopen(argv[1], "wb") : NULL;
     number_state.first = strtol(argv[2], NULL, 10);
     number_state.without = argv + 3;
-    if (number_state.file == NULL || fseek(number_state.file, 0, SEEK_END) != 0 ||
-        ftell(number_state.file) != 0) {
-        fprintf(stderr, "numbers: %s is not there, or not empty\n", argv[1]);
+    if (number_state.file == NULL) {
+        fprintf(stderr, "numbers: %s cannot be written, or is not empty\n", argv[1]);
         return 1;
     }
     numbers();

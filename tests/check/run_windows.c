@@ -11,6 +11,8 @@
 #include <string.h>
 #include <wchar.h>
 #include <windows.h>
+#undef near /* words of 16-bit pointers, which it still defines away */
+#undef far
 
 enum {
     MESSAGE_LIMIT = 256 * 1024, /* bytes of standard error that are kept */
@@ -30,7 +32,7 @@ struct command_line {
     size_t length;
 };
 
-static void put(struct command_line *line, char c) {
+static void put_char(struct command_line *line, char c) {
     if (line->length + 1 < sizeof line->text) {
         line->text[line->length++] = c;
     }
@@ -39,23 +41,23 @@ static void put(struct command_line *line, char c) {
 /* Between quotes; backslashes before one are doubled, and it gets its own. */
 static void put_argument(struct command_line *line, const char *argument) {
     size_t backslashes = 0;
-    put(line, '"');
+    put_char(line, '"');
     for (const char *at = argument; *at != '\0'; at++) {
         for (size_t i = *at == '"' ? backslashes + 1 : 0; i > 0; i--) {
-            put(line, '\\');
+            put_char(line, '\\');
         }
         backslashes = *at == '\\' ? backslashes + 1 : 0;
-        put(line, *at);
+        put_char(line, *at);
     }
     for (; backslashes > 0; backslashes--) {
-        put(line, '\\');
+        put_char(line, '\\');
     }
-    put(line, '"');
-    put(line, ' ');
+    put_char(line, '"');
+    put_char(line, ' ');
 }
 
 /* What a program runs with: it writes to `messages`, one end of a pipe, of which `said` is ours. */
-struct place {
+struct handles {
     HANDLE job, input, output, messages, said;
 };
 
@@ -81,27 +83,27 @@ static HANDLE create_job(const struct run_command *command) {
     return job;
 }
 
-static bool open_place(struct place *place, const struct run_command *command,
-                       struct error *error) {
+static bool open_handles(struct handles *handles, const struct run_command *command,
+                         struct error *error) {
     SECURITY_ATTRIBUTES inherited = {.nLength = sizeof inherited, .bInheritHandle = TRUE};
     const char *output = command->output == NULL ? "NUL" : command->output;
-    *place = (struct place){.job = create_job(command)};
-    place->input = CreateFileW(L"NUL", GENERIC_READ, FILE_SHARE_READ | FILE_SHARE_WRITE, &inherited,
-                               OPEN_EXISTING, 0, NULL);
-    place->output =
+    *handles = (struct handles){.job = create_job(command)};
+    handles->input = CreateFileW(L"NUL", GENERIC_READ, FILE_SHARE_READ | FILE_SHARE_WRITE,
+                                 &inherited, OPEN_EXISTING, 0, NULL);
+    handles->output =
         CreateFileW(windows_widen(output).path, GENERIC_WRITE, FILE_SHARE_READ | FILE_SHARE_WRITE,
                     &inherited, command->output == NULL ? OPEN_EXISTING : CREATE_NEW, 0, NULL);
-    if (place->job == NULL || place->input == INVALID_HANDLE_VALUE ||
-        place->output == INVALID_HANDLE_VALUE) {
+    if (handles->job == NULL || handles->input == INVALID_HANDLE_VALUE ||
+        handles->output == INVALID_HANDLE_VALUE) {
         return fail(error, "open", output);
     }
-    return (CreatePipe(&place->said, &place->messages, &inherited, MESSAGE_LIMIT) &&
-            SetHandleInformation(place->said, HANDLE_FLAG_INHERIT, 0)) ||
+    return (CreatePipe(&handles->said, &handles->messages, &inherited, MESSAGE_LIMIT) &&
+            SetHandleInformation(handles->said, HANDLE_FLAG_INHERIT, 0)) ||
            fail(error, "make", "a pipe");
 }
 
 /* Start the program, already in its job. NULL where it cannot be. */
-static HANDLE start(const struct run_command *command, const struct place *place) {
+static HANDLE start(const struct run_command *command, const struct handles *handles) {
     struct command_line line = {.length = 0};
     for (size_t i = 0; command->arguments[i] != NULL; i++) {
         put_argument(&line, command->arguments[i]);
@@ -109,9 +111,9 @@ static HANDLE start(const struct run_command *command, const struct place *place
     wchar_t wide[COMMAND_LIMIT];
     STARTUPINFOW with = {.cb = sizeof with,
                          .dwFlags = STARTF_USESTDHANDLES,
-                         .hStdInput = place->input,
-                         .hStdOutput = place->output,
-                         .hStdError = place->messages};
+                         .hStdInput = handles->input,
+                         .hStdOutput = handles->output,
+                         .hStdError = handles->messages};
     PROCESS_INFORMATION started = {.hProcess = NULL};
     if (command->locale != NULL) { /* ours too from now on: the check has no other language */
         SetEnvironmentVariableA("LC_ALL", command->locale);
@@ -122,7 +124,7 @@ static HANDLE start(const struct run_command *command, const struct place *place
     if (MultiByteToWideChar(CP_UTF8, 0, line.text, -1, wide, COMMAND_LIMIT) > 0 &&
         CreateProcessW(NULL, wide, NULL, NULL, TRUE, CREATE_SUSPENDED, NULL,
                        windows_widen(directory).path, &with, &started)) {
-        AssignProcessToJobObject(place->job, started.hProcess);
+        AssignProcessToJobObject(handles->job, started.hProcess);
         ResumeThread(started.hThread);
         CloseHandle(started.hThread);
     }
@@ -145,7 +147,7 @@ static bool read_messages(HANDLE said, struct bytes *messages) {
 }
 
 static enum run_end watch(const struct run_command *command, HANDLE process,
-                          const struct place *place, struct bytes *messages) {
+                          const struct handles *handles, struct bytes *messages) {
     double end = run_now() + command->limits.seconds;
     while (WaitForSingleObject(process, TICK_MS) == WAIT_TIMEOUT) {
         if (run_caught_signal() != 0) {
@@ -154,7 +156,7 @@ static enum run_end watch(const struct run_command *command, HANDLE process,
         if (run_now() > end) {
             return RUN_OUT_OF_TIME;
         }
-        read_messages(place->said, messages);
+        read_messages(handles->said, messages);
     }
     return RUN_EXITED;
 }
@@ -181,14 +183,14 @@ static void clean(struct bytes *messages) {
 }
 
 /* Wait for the program, and end what it leaves. */
-static bool finish(const struct run_command *command, HANDLE process, const struct place *place,
-                   struct run_result *result) {
+static bool wait_for_end(const struct run_command *command, HANDLE process,
+                         const struct handles *handles, struct run_result *result) {
     DWORD status = 0;
-    result->end = watch(command, process, place, &result->messages);
-    TerminateJobObject(place->job, 1);
+    result->end = watch(command, process, handles, &result->messages);
+    TerminateJobObject(handles->job, 1);
     WaitForSingleObject(process, INFINITE);
     GetExitCodeProcess(process, &status);
-    while (read_messages(place->said, &result->messages)) {
+    while (read_messages(handles->said, &result->messages)) {
     }
     clean(&result->messages);
     result->number = (int)status;
@@ -205,20 +207,20 @@ bool run(const struct run_command *command, struct run_result *result, struct er
     if (command->contained && runner != NULL && runner[0] != '\0') {
         return error_set(error, "CHECK_RUNNER does not shut programs in on Windows");
     }
-    struct place place;
-    bool done = open_place(&place, command, error);
-    HANDLE process = done ? start(command, &place) : NULL;
-    close_handle(place.messages); /* only the program has it now */
+    struct handles handles;
+    bool done = open_handles(&handles, command, error);
+    HANDLE process = done ? start(command, &handles) : NULL;
+    close_handle(handles.messages); /* only the program has it now */
     if (process != NULL) {
-        done = finish(command, process, &place, result) || error_out_of_memory(error);
+        done = wait_for_end(command, process, &handles, result) || error_out_of_memory(error);
     } else if (done) {
         done = fail(error, "start", command->arguments[0]);
     }
     close_handle(process);
-    close_handle(place.input);
-    close_handle(place.output);
-    close_handle(place.said);
-    close_handle(place.job); /* ends whoever is left in it */
+    close_handle(handles.input);
+    close_handle(handles.output);
+    close_handle(handles.said);
+    close_handle(handles.job); /* ends whoever is left in it */
     return done;
 }
 
