@@ -27,7 +27,7 @@ check: $(MODEL) $(BUILD)/check $(HIDDEN:%=$(BUILD)/hidden) $(if $(MAKE_TERMOUT),
 	    --make '$(MAKE) -s $(KNOWN)' \
 	    $(if $(SANITIZE),--sanitized) \
 	    $(if $(REPORT),--junit $(REPORT).xml --json $(REPORT).json --html $(REPORT).html) \
-	    $(KEEP_POINTS) $(STEP) $(THEN_HIDDEN)
+	    $(STEP) $(THEN_HIDDEN)
 
 $(STEPS:%=$(BUILD)/sanitized/%): $(BUILD)/sanitized/%: %/main.c $(BUILD)/%.text \
                                                        $(BUILD)/quick/libcommon.a $(BUILD)/flags

@@ -63,21 +63,42 @@ static void make_colors(struct shape *shape, struct random *random, bool one_col
     }
 }
 
+/* How far it is from one end to the other along the axis in which that is more. */
+static int run_of(const struct shape *line) {
+    int across = abs(line->x[1] - line->x[0]), up = abs(line->y[1] - line->y[0]);
+    return across > up ? across : up;
+}
+
+/* In how many directions that are drawn without any rounding a line goes: along x, y, both, one
+ * against the other, nowhere. */
+enum { PLAIN_DIRECTIONS = 5 };
+
+static void make_plain(struct shape *line, int direction) {
+    static const int across[PLAIN_DIRECTIONS] = {1, 0, 1, 1, 0},
+                     up[PLAIN_DIRECTIONS] = {0, 1, 1, -1, 0};
+    int length = (line->x[1] - line->x[0]) % 100;
+    line->x[1] = line->x[0] + across[direction] * length;
+    line->y[1] = line->y[0] + up[direction] * length;
+}
+
 /* Lines of all directions, some of which leave the image; the first ones are special. */
-static void make_lines(struct shape *shapes, struct random *random, bool one_color) {
+static void make_lines(struct shape *shapes, struct random *random, enum input_kind kind) {
+    bool one_color = kind != INPUT_GRADIENT_LINES;
     for (int i = 0; i < SHAPES; i++) {
+        struct shape *line = &shapes[i];
         for (int j = 0; j < 2; j++) {
-            shapes[i].x[j] = random_between(random, one_color ? -100 : 0, one_color ? 350 : 255);
-            shapes[i].y[j] = random_between(random, one_color ? -100 : 0, one_color ? 350 : 255);
+            line->x[j] = random_between(random, one_color ? -100 : 0, one_color ? 350 : 255);
+            line->y[j] = random_between(random, one_color ? -100 : 0, one_color ? 350 : 255);
         }
-        if (i < 2) { /* along an axis */
-            *(i == 0 ? &shapes[i].x[1] : &shapes[i].y[1]) =
-                i == 0 ? shapes[i].x[0] : shapes[i].y[0];
-        } else if (i < 4) { /* a point; a diagonal */
-            shapes[i].x[1] = shapes[i].x[0] + (i == 3 ? 30 : 0);
-            shapes[i].y[1] = shapes[i].y[0] - (i == 3 ? 30 : 0);
+        if (i < 4 || kind == INPUT_AXIS_LINES) {
+            make_plain(line, (i + 1) % PLAIN_DIRECTIONS);
+        } else if (kind == INPUT_ODD_LINES) {
+            while (run_of(line) % 2 == 0) {
+                line->x[1] += run_of(line) == abs(line->x[1] - line->x[0]);
+                line->y[1] += run_of(line) == abs(line->y[1] - line->y[0]);
+            }
         }
-        make_colors(&shapes[i], random, one_color);
+        make_colors(line, random, one_color);
     }
 }
 
@@ -124,9 +145,13 @@ static bool put_text_scene(struct bytes *out, enum input_kind kind, uint64_t see
     struct shape shapes[SHAPES];
     struct random random = {seed};
     size_t order[SHAPES];
-    bool lines = kind == INPUT_LINES || kind == INPUT_GRADIENT_LINES;
-    bool one_color = kind == INPUT_LINES || kind == INPUT_TRIANGLES;
-    (lines ? make_lines : make_triangles)(shapes, &random, one_color);
+    bool lines = kind <= INPUT_GRADIENT_LINES;
+    bool one_color = kind != INPUT_GRADIENT_LINES && kind != INPUT_GRADIENT_TRIANGLES;
+    if (lines) {
+        make_lines(shapes, &random, kind);
+    } else {
+        make_triangles(shapes, &random, one_color);
+    }
     shuffle(order, SHAPES, seed, variant->shuffled);
     bool done = bytes_print(out, "size %d %d\n", INPUT_SIZE, INPUT_SIZE);
     for (size_t i = 0; i < SHAPES && done; i++) {

@@ -16,6 +16,8 @@
 
 enum input_kind {
     INPUT_LINES,          /* a text scene: lines of one colour each */
+    INPUT_ODD_LINES,      /* such that no pixel of them is half-way between two others */
+    INPUT_AXIS_LINES,     /* points, and lines along the axes and diagonals */
     INPUT_GRADIENT_LINES, /* lines of two colours */
     INPUT_TRIANGLES,      /* a text scene: triangles of one colour, the same for all */
     INPUT_GRADIENT_TRIANGLES,

@@ -40,12 +40,14 @@ become() {
 }
 
 # What gcc warns of depends on how much it optimizes, with clang it does not.
-build() {
+compile() {
     for compiler in $compilers; do
         case $compiler in clang) optimizes=-O0 ;; *) optimizes=-O3 ;; esac
+        compile=$(make -s commands CC="$compiler" CFLAGS="$optimizes" WERROR=-Werror | sed 1q)
         for name in $lessons; do
-            make -s "build/$compiler/$name" CC="$compiler" CFLAGS="$optimizes" \
-                BUILD="build/$compiler" WERROR=-Werror >log 2>&1 ||
+            number=${name%%_*}
+            number=${number#step}
+            eval "$compile -DCOURSE_LESSON=${number#0} -I$name -c $name/main.c -o starter.o" >log 2>&1 ||
                 wrong "$compiler and the starter of $name: $(cat log)"
         done
     done
@@ -54,7 +56,8 @@ build() {
 mkdir -p "$work/course/tests" || exit 1
 cp -R "$top/Makefile" "$top/.clang-format" "$top/common" "$top"/step* "$work/course" || exit 1
 cp -R "$top/tests/check" "$top/tests/reference" "$top/tests/student" \
-    "$work/course/tests" || exit 1
+    "$work/course/tests" &&
+    mkdir "$work/course/tests/upkeep" && cp "$top/tests/upkeep/upkeep.mk" "$work/course/tests/upkeep" || exit 1
 cd "$work/course" || exit 1
 compilers=$(for name in gcc clang; do command -v $name >/dev/null && printf '%s ' $name; done)
 compilers=${compilers:-cc }
@@ -65,7 +68,7 @@ for name in $lessons; do
 done
 if [ -n "$lessons" ]; then
     become start
-    build
+    compile
     become solution
 fi
 

@@ -7,7 +7,8 @@
 ##                               number (SOLUTION=dir holds them against dir/step05_zbuffer/main.c)
 ##   make site OUT=dir           the course as web pages, in which the solutions draw under the mouse
 ##   make grade SUBMISSIONS=dir  a class: points, reports, what is alike, into OUT=dir (LESSONS=1-5,
-##                               SEED=7 for hidden scenes, JOBS=8)
+##                               SEED=7 for hidden scenes, JOBS=8, ROSTER=the platform's table,
+##                               which comes back with points as gradebook.csv)
 ##   make grade-one SUBMISSION=path   one of them, into OUT=dir
 ##   make grade-merge OUT=dir    the class, from those that are there
 ##   make grade-tools            build what these use
@@ -23,10 +24,8 @@ site: $(BUILD)/models/bust.obj
 
 # ---- Hidden scenes ----
 
-POINTS = $(if $(REPORT),$(REPORT),$(CHECKED)/points).json
-KEEP_POINTS = $(if $(HIDDEN),--json '$(POINTS)')
 THEN_HIDDEN = $(if $(HIDDEN),; status=$$?; sh tests/teacher/hidden/hidden.sh '$(BUILD)' '$(CHECKED)' \
-                  '$(MAKE) -s' '$(HIDDEN)' '$(STEP)' '$(SOLUTION)' '$(POINTS)' && exit $$status)
+                  '$(MAKE) -s' '$(HIDDEN)' '$(STEP)' '$(SOLUTION)' && exit $$status)
 
 $(BUILD)/hidden: $(BUILD)/tests/teacher/hidden/hidden.o $(CHECKER) $(BUILD)/quick/libcommon.a
 	$(Q)$(LINK) $^ -lm -o $@
@@ -44,14 +43,14 @@ grade-tools: $(BUILD)/check $(BUILD)/limited models \
 
 grade: grade-tools
 	@bash tests/teacher/grade/grade.sh '$(BUILD)' '$(MAKE) -s' '$(SUBMISSIONS)' '$(GRADES)' '$(JOBS)' \
-	    '$(LESSONS)' '$(SEED)'
+	    '$(LESSONS)' '$(SEED)' '$(ROSTER)' '$(COLUMN)'
 
 grade-one: grade-tools
 	@sh tests/teacher/grade/grade_one.sh '$(BUILD)' '$(MAKE) -s' '$(SUBMISSION)' '$(GRADES)' \
 	    '$(LESSONS)' '$(SEED)'
 
 grade-merge: $(BUILD)/limited
-	@sh tests/teacher/grade/merge.sh '$(BUILD)' '$(GRADES)'
+	@sh tests/teacher/grade/merge.sh '$(BUILD)' '$(GRADES)' '$(ROSTER)' '$(COLUMN)'
 
 # What the hidden scenes are held against.
 $(BUILD)/solutions/.built: $(STEPS:%=%/main.c) $(BUILD)/quick/libcommon.a

@@ -11,14 +11,13 @@ END {
         word = reason = state[name]
         sub(/ .*/, "", word)
         if (!sub(/^[A-Z]+ /, "", reason)) reason = ""
-        for (t = 1; t <= task_count && reason == ""; t++)
-            if (stored[name, step_of[tasks[t]]])
-                reason = "prints stored pictures: " step_of[tasks[t]]
+        if (look_at[name] != "") reason = "look at " look_at[name]
+        if (versions(name) != "") reason = reason (reason == "" ? "" : "; ") "by one: " versions(name)
         gsub(/"/, "\"\"", reason)
         printf "%s,%s,%d,%d", name, word, total(name), total_most()
         if (any_hidden) printf ",%d,%d", hidden[name], hidden_most[name]
         for (t = 1; t <= task_count; t++)
-            printf ",%s", (name, tasks[t]) in points ? points_of(name, tasks[t]) : ""
+            printf ",%s", (name, tasks[t]) in points ? points[name, tasks[t]] : ""
         printf ",%s\n", reason == "" ? "" : "\"" reason "\""
     }
 }

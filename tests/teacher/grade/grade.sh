@@ -1,10 +1,10 @@
 #!/bin/bash
-# Grades a class: grade.sh BUILD MAKE SUBMISSIONS OUT [JOBS [LESSONS [SEED]]]
+# Grades a class: grade.sh BUILD MAKE SUBMISSIONS OUT [JOBS [LESSONS [SEED [ROSTER [COLUMN]]]]]
 #
 # Whatever is in SUBMISSIONS is a submission (those are graded that are a directory, .zip or .tar.gz),
 # by grade_one.sh, JOBS at a time (as many as there are processors); a failure stops none of the
 # others. Stopped and started again, it goes on where it was, and what has changed since is graded
-# again. At the end merge.sh makes OUT/class.csv and OUT/index.html.
+# again. At the end merge.sh makes OUT/class.csv and OUT/index.html, with ROSTER OUT/gradebook.csv, too.
 #
 # Exit status: 0 each has a result; 1 not; 2 wrong usage.
 [ "${BASH_VERSINFO[0]}" -ge 4 ] || {
@@ -18,13 +18,17 @@ out=$4
 jobs=${5:-$(getconf _NPROCESSORS_ONLN 2>/dev/null || echo 1)}
 wanted=$6
 seed=$7
+roster=$8
+column=$9
 target=grade
 . tests/student/lesson.sh
 
+[ -z "$roster" ] || [ -f "$roster" ] || fail 2 "there is no file ROSTER=$roster"
 [ -d "$submissions" ] || fail 2 "say whose: make grade SUBMISSIONS=some/directory [OUT=dir]"
 case $jobs in '' | *[!0-9]* | 0) fail 2 "JOBS=$jobs is no number of submissions at a time" ;; esac
 (select_lessons) || exit 2
 case $seed in *[!0-9]*) fail 2 "SEED=$seed is no number" ;; esac
+export LC_ALL=C # names of files are bytes
 mkdir -p "$out" || fail 2 "cannot write into $out"
 list=()
 declare -A is_listed
@@ -76,7 +80,7 @@ show_progress() {
 printf '%s\0' "${list[@]}" |
     xargs -0 -n 1 -P "$jobs" sh -c 'sh tests/teacher/grade/grade_one.sh "$1" "$2" "$5" "$3" "$4" "$0" || :' \
         "$seed" "$build" "$make" "$out" "$wanted" | show_progress
-sh tests/teacher/grade/merge.sh "$build" "$out" || exit 1
+sh tests/teacher/grade/merge.sh "$build" "$out" "$roster" "$column" || exit 1
 find_results
 [ ${#others[@]} -eq 0 ] || {
     echo "In $out/submissions, but not in $submissions:"

@@ -25,6 +25,8 @@ seed=$6
 case $submission in /*) ;; *) submission=$PWD/$submission ;; esac
 case $out in /*) ;; *) out=$PWD/$out ;; esac
 cd "$(dirname "$0")/../../.." || exit 1
+LC_ALL=C # names of files are bytes
+export LC_ALL
 case $build in /*) ;; *) build=$PWD/$build ;; esac
 # make names what it builds as it was told to.
 short=${build#"$PWD/"}
@@ -41,8 +43,8 @@ result=$out/submissions/$name
 sums() {
     echo "LESSONS=$wanted SEED=$seed"
     if [ -d "$submission" ]; then
-        (cd "$submission" && find . -maxdepth 5 -type f \( -name main.c -o -name '*.h' \) \
-            -size -2049 -exec cksum {} +) 2>/dev/null | LC_ALL=C sort
+        (cd "$submission" && find . -maxdepth 6 -type f \( -name '*.[cC]' -o -name '*.h' -o -iname '*.zip' -o -iname '*.t*' \) \
+            -size -204800 -exec cksum {} +) 2>/dev/null | LC_ALL=C sort
     else
         cksum <"$submission"
     fi
@@ -64,6 +66,7 @@ mkdir "$work/result" || exit 1
 # finish STATE...: the result, as a whole, and a line that tells of it.
 finish() {
     printf '%s\n' "$*" >"$work/result/state"
+    [ -f "$work/result/log" ] || cp "$work/result/state" "$work/result/log" # the class page leads there
     echo "$(($(date +%s) - begun))" >"$work/result/seconds"
     echo "$of" >"$work/result/of"
     chmod -R u+rw,go+rX "$work/result" && rm -rf "$result" && mv "$work/result" "$result" || exit 1
@@ -79,8 +82,8 @@ echo begun >>"$out/.begun/$name"
 [ "$(wc -l <"$out/.begun/$name")" -le 2 ] || finish "ERROR killed the grading twice"
 
 # shellcheck disable=SC2086 # one word a lesson
-reason=$(sh tests/teacher/grade/unpack.sh "$build/limited" "$submission" "$work/sources" $lessons) ||
-    finish "ERROR $reason"
+taken=$(sh tests/teacher/grade/unpack.sh "$build/limited" "$submission" "$work/sources" $lessons) ||
+    finish "ERROR $taken"
 # Whatever modes its files have: the compiler that reads them runs as another user.
 chmod -R u+rwX,go+rX "$work/sources" &&
     mv "$work/sources" "$work/result" && cp -R "$work/result/sources" "$place/sources" &&
@@ -103,7 +106,7 @@ limited() {
 # shellcheck disable=SC2086
 limited "$work/result/log" "$build/check" --programs "$place_short" \
     --sources "$place/sources" --differences "$work/result/differences" \
-    --make "$make" --note "$(contain_note)" --junit "$work/result/report.xml" \
+    --make "$make" --note "$({ contain_note; printf '%s\n' "$taken"; } | sed '/^$/d' | tr '\n' ' ' | sed 's/ $//')" --junit "$work/result/report.xml" \
     --json "$work/result/report.json" --html "$work/result/report.html" $lessons
 status=$?
 rm -rf "$work/result/differences"
@@ -120,8 +123,5 @@ if [ -n "$seed" ]; then
     limited "$work/result/hidden" "$build/hidden" "$place_short" "$short/solutions" "$seed" '' \
         $lessons
     [ $? -lt 2 ] || finish "ERROR the hidden scenes cannot be tried: see hidden"
-    stored=$(awk -f tests/check/report.awk -f tests/teacher/hidden/score.awk \
-        "$work/result/report.json" "$work/result/hidden") || exit 1
-    [ -z "$stored" ] || echo "$stored" >>"$work/result/hidden"
 fi
 finish GRADED

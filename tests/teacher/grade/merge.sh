@@ -1,12 +1,15 @@
 #!/bin/sh
-# Makes of the results in OUT/submissions the class's: merge.sh BUILD OUT
+# Makes of the results in OUT/submissions the class's: merge.sh BUILD OUT [ROSTER [COLUMN]]
 #
 # OUT/class.csv has a row a submission, OUT/index.html the same with how each task went, the most
-# frequent diagnoses and the pairs that are alike, OUT/similar.csv all of these pairs. All are
-# written again from what is there.
+# frequent diagnoses and groups that are alike, OUT/similar.csv all pairs of these. All are
+# written again from what is there. With ROSTER OUT/gradebook.csv is that table with the points in it, as
+# gradebook.awk says.
 #
 # Exit status: 0 done; 1 there is nothing, or it cannot be written.
 cd "$(dirname "$0")/../../.." || exit 1
+LC_ALL=C # names of files are bytes
+export LC_ALL
 build=$1
 out=$2
 [ -d "$out/submissions" ] || {
@@ -31,7 +34,7 @@ for submission in "$out"/submissions/*/; do
             "$submission/report.json"
     [ ! -f "$submission/hidden" ] ||
         sed -n "s|^\(step[^ ]*\)  HIDDEN \([0-9]*\)/\([0-9]*\)|$name	hidden	\1	\2	\3|p
-            s|^\(step[^ ]*\)  prints stored pictures.*|$name	stored	\1|p" "$submission/hidden"
+            s|^\(step[^ ]*\)  look at it: \(.*\)|$name	look	\1: \2|p" "$submission/hidden"
     [ ! -f "$submission/log" ] ||
         awk -v name="$name" '/^step[0-9]+_/ { step = $1 }
             sub(/^    looks like /, "") {
@@ -48,4 +51,12 @@ show class.awk >"$work/class.csv" && show page.awk >"$work/index.html" &&
     awk -F '\t' 'BEGIN { print "percent,lesson,submission,submission" }
         { print $1 "," $2 "," $3 "," $4 }' "$work/compared/alike" >"$work/similar.csv" &&
     mv "$work/class.csv" "$work/index.html" "$work/similar.csv" "$out" || exit 1
+if [ -n "$3" ]; then
+    : >"$work/others"
+    awk -v roster="$3" -v column="$4" -v others="$work/others" -F '\t' -f tests/teacher/grade/sums.awk \
+        -f tests/teacher/grade/gradebook.awk "$work/results" >"$work/gradebook.csv" &&
+        mv "$work/gradebook.csv" "$out" || exit 1
+    echo "$out/gradebook.csv: $(wc -l <"$work/others") submissions are nobody's in $3, or more than one's"
+    sed 's/^/    /' "$work/others"
+fi
 echo "$out/index.html and $out/class.csv: $(grep -c '	state	' "$work/results") submissions"

@@ -64,7 +64,7 @@ function print_tasks(    t, n, i, task, name, sum, count, kinds, kind) {
         split("", count)
         for (n = 1; n <= name_count; n++) {
             name = names[n]
-            sum += points_of(name, task)
+            sum += points[name, task]
             if ((name, task) in task_state) count[class_of(task_state[name, task])]++
         }
         printf "<tr><td>%s</td><td>%s</td><td class=\"number\">%.1f</td>" \
@@ -100,26 +100,41 @@ function print_looks(    i, k, best, part, who, many, shown) {
     print "</table></div>"
 }
 
-# Those first that agree in most lessons.
-function print_pairs(    i, best, who, shown) {
+# The largest groups first.
+function print_groups(    one, root, best, shown, lesson, count) {
     print "<h2>Submissions that are alike</h2>"
-    for (i = 1; i <= not_compared_count; i++) print "<p>" html(not_compared[i]) "</p>"
+    for (one = 1; one <= not_compared_count; one++) print "<p>" html(not_compared[one]) "</p>"
     if (pair_count == 0) return
-    print "<p>These submissions are the same in the lessons named, except for names, numbers, comments"
-    print "and white space: so many per cent of what the shorter one has besides the starter."
-    print "Look at both before you judge. In a short task, two right programs are often alike."
+    print "<p>Each of a group is the same as another one of it, except for names, numbers, comments and"
+    print "white space: so many per cent, or more, of what the shorter one has besides the starter. Look at"
+    print "both before you judge. In a short task right programs are often alike, and a large group says so."
     print "<a href=\"similar.csv\">similar.csv</a> has all pairs (" pair_count "). The lines that"
     print "agree: <code>sim_c -r 16 -d submissions/ONE/sources/LESSON/main.c"
     print "submissions/OTHER/sources/LESSON/main.c</code></p>\n<div class=\"wide\"><table>"
-    for (shown = 0; shown < pair_count && shown < 50; shown++) {
-        best = 0
-        for (i = 1; i <= pair_count; i++) if (alike[pairs[i]] > alike[pairs[best]]) best = i
-        split(pairs[best], who, "\t")
-        print "<tr><td>" link_to(who[1]) "</td><td>" link_to(who[2]) "</td><td>" \
-            alike_in[pairs[best]] "</td></tr>"
-        alike[pairs[best]] = 0
+    for (one in above) {
+        root = group_of(one)
+        lesson[root] = substr(one, 1, index(one, "\t") - 1)
+        count[root]++
+    }
+    for (shown = 0; shown < 50; shown++) {
+        best = ""
+        for (root in count) if (count[root] > count[best] || count[root] == count[best] && root < best) best = root
+        if (best == "") break
+        printf "<tr><td>%s</td><td class=\"number\">%d</td><td class=\"number\">%d %%</td><td>", lesson[best],
+            count[best], least[best]
+        print members(best) "</td></tr>"
+        delete count[best]
     }
     print "</table></div>"
+}
+
+# Who is in a group, in the order of the names.
+function members(root,    n, one, text) {
+    for (n = 1; n <= name_count; n++) {
+        one = substr(root, 1, index(root, "\t")) names[n]
+        if (one in above && group_of(one) == root) text = text (text == "" ? "" : ", ") link_to(names[n])
+    }
+    return text
 }
 
 function print_names(    n, name) {
@@ -130,7 +145,9 @@ function print_names(    n, name) {
         printf "<tr><td>%s</td><td class=\"number\">%d/%d</td>", link_to(name), total(name),
             total_most()
         if (any_hidden) printf "<td class=\"number\">%d/%d</td>", hidden[name], hidden_most[name]
-        printf "<td>%s</td></tr>\n", html(state[name])
+        print "<td>" html(state[name]) \
+            (look_at[name] == "" ? "" : ": look at " html(look_at[name])) \
+            (versions(name) == "" ? "" : "; by one: " html(versions(name))) "</td></tr>"
     }
     print "</table></div>"
 }
@@ -143,7 +160,7 @@ END {
     print_points()
     print_tasks()
     print_looks()
-    print_pairs()
+    print_groups()
     print_names()
     print "</body></html>"
 }

@@ -3,7 +3,42 @@ function add_name(name) {
     if (!(name in known)) {
         known[name] = 1
         names[++name_count] = name
+        by = person(name)
+        handed_in[by] = handed_in[by] (handed_in[by] == "" ? "" : " ") name
+        late[by] = late[by] || is_late
     }
+}
+
+function group_of(one) {
+    if (!(one in above)) {
+        above[one] = one
+        least[one] = 100
+    }
+    while (above[one] != one) one = above[one]
+    return one
+}
+
+function join(one, other, share) {
+    one = group_of(one)
+    other = group_of(other)
+    if (least[other] > least[one]) least[other] = least[one]
+    if (share < least[other]) least[other] = share
+    above[one] = other
+}
+
+# Who handed that in: the name without a word for a late or second version, as Canvas (name, LATE, number
+# of the student, number of the submission) and people write it.
+function person(name,    part) {
+    name = tolower(name)
+    sub(/\.(zip|tar|tar\.[a-z0-9]+|tgz|c)$/, "", name)
+    gsub(/(%[0-9a-f][0-9a-f]|[-_.])+/, " ", name)
+    is_late = sub(/ (late|resubmission|resubmitted|corrected|v[0-9])( |$)/, " ", name)
+    sub(/ $/, "", name)
+    if (name ~ /^[^ ]+ [0-9]+ [0-9]+( |$)/) {
+        split(name, part, " ")
+        return part[1] " " part[2]
+    }
+    return name
 }
 
 function add_task(task) {
@@ -27,17 +62,16 @@ $2 == "hidden" {
     hidden_most[$1] += $5
     any_hidden = 1
 }
-$2 == "stored" { stored[$1, $3] = 1 }
+$2 == "look" { look_at[$1] = look_at[$1] (look_at[$1] == "" ? "" : "; ") $3 }
 $2 == "looks" {
     looks = $3 "\t" $4
     if (!looks_count[looks]++) looks_list[++looks_total] = looks
     looks_who[looks] = looks_who[looks] (looks_who[looks] == "" ? "" : " ") $1
 }
+# In each lesson those are a group that are alike, directly or through others.
 $2 == "alike" {
-    pair = $5 "\t" $6
-    if (!(pair in alike)) pairs[++pair_count] = pair
-    alike[pair] += $3
-    alike_in[pair] = alike_in[pair] (alike_in[pair] == "" ? "" : ", ") $4 " " $3 " %"
+    pair_count++
+    join($4 "\t" $5, $4 "\t" $6, $3 + 0)
 }
 $2 == "not_compared" { not_compared[++not_compared_count] = $3 }
 
@@ -56,13 +90,9 @@ function task_key(task,    part) {
     return sprintf("%03d%s%03d", part[1] + 0, substr(part[1], length(part[1] + 0 "") + 1), part[2])
 }
 
-function points_of(name, task) {
-    return stored[name, step_of[task]] ? 0 : points[name, task] + 0
-}
-
 function total(name,    t, sum) {
     sum = 0
-    for (t = 1; t <= task_count; t++) sum += points_of(name, tasks[t])
+    for (t = 1; t <= task_count; t++) sum += points[name, tasks[t]]
     return sum
 }
 
@@ -70,4 +100,10 @@ function total_most(    t, sum) {
     sum = 0
     for (t = 1; t <= task_count; t++) sum += most[tasks[t]]
     return sum
+}
+
+# The other versions by the same student, where one calls itself late.
+function versions(name,    by) {
+    by = person(name)
+    return late[by] && handed_in[by] ~ / / ? handed_in[by] : ""
 }

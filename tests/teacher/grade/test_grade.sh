@@ -19,6 +19,8 @@ done
 
 # ---- Unpacking ----
 
+layouts=0
+
 mkdir -p "$work/s/deep/er/step01_line" "$work/s/deep/er/step02_wireframe" "$work/s/common" &&
     cd "$work" || exit 1
 echo solved >s/deep/er/step01_line/main.c
@@ -42,6 +44,53 @@ for packed in s s.tar.gz s.zip; do
     found=$(cd "from.$packed" && find . -type f | sort | tr '\n' ' ')
     [ "$found" = "./step01_line/main.c ./step01_line/my_own.h " ] || wrong "$packed: $found"
 done
+
+# has PATH...: a submission of these files, each of which says its path.
+has() {
+    submission=layout$((layouts = layouts + 1))
+    mkdir $submission && for file; do
+        mkdir -p "$submission/$(dirname "$file")" && echo "$file" >"$submission/$file" || exit 1
+    done
+}
+# gives LESSONS PATH: of each of these lessons is taken what is named, in every locale.
+gives() {
+    for locale in C C.UTF-8 de_DE.ISO-8859-1; do
+        rm -rf "$work/taken"
+        # shellcheck disable=SC2086 # one word a lesson
+        answer=$(cd "$top" && LC_ALL=$locale sh tests/teacher/grade/unpack.sh "$build/limited" \
+            "$work/$submission" "$work/taken" $1 2>/dev/null)
+        status=$?
+        found=$(cat "$work"/taken/*/main.c 2>/dev/null)
+        [ $status = 0 ] && [ "$found" = "$2" ] || wrong "$submission, $locale: $status $found $answer"
+    done
+}
+two='step01_line step02_wireframe'
+bung=$(printf '\334bung')
+for path in step01_line.c step01/main.c Step01_Line/Main.C hw1/step01_line/main.c lesson1/main.c 1/main.c \
+    lesson_1.c ann_12_34_step01_line.c 'step01_line\main.c' "$bung/step01_line/main.c" 'a b/step01_line/main.c'; do
+    has "$path" other/thing.c
+    gives "$two" "$path"
+done
+for path in main.c hw2/main.c ann_12_34_main.c solution.c; do
+    has "$path"
+    gives step01_line "$path"
+done
+has deep/step01_line/main.c step01/main.c step01_line.c main.c
+gives "$two" deep/step01_line/main.c
+has step02/main.c step01.c
+gives "$two" "$(printf 'step01.c\nstep02/main.c')"
+has "$bung/step01_line/main.c" && (cd $submission && zip -qr ../packed.zip .) && submission=packed.zip
+gives "$two" "$bung/step01_line/main.c"
+mkdir moodle && cp packed.zip moodle && submission=moodle
+gives "$two" "$bung/step01_line/main.c"
+(cd moodle && zip -q ../twice.zip packed.zip) && submission=twice.zip
+gives "$two" "$bung/step01_line/main.c"
+echo one >ann_main.c && submission=ann_main.c
+gives step01_line one
+has step01_line/main.c && echo Übung | iconv -f UTF-8 -t UTF-16 >$submission/step01_line/main.c
+gives step01_line Übung
+[ "$answer" = "step01_line/main.c was UTF-16, and is taken as UTF-8." ] || wrong "UTF-16: $answer"
+
 mkdir -p linked/step01_line dots/step01_line && ln -s /etc/passwd linked/step01_line/main.c
 echo solved >dots/main.c
 (cd dots/step01_line && tar cPf ../../dots.tar ../main.c)
@@ -51,6 +100,8 @@ refuses() {
     case $answer in *"$2"*) ;; *) wrong "$1: $answer" ;; esac
 }
 refuses empty "holds no main.c of a lesson"
+has a.c b/c.c && refuses $submission 'found `a.c`, `b/c.c`; name the folder step01_line'
+has main.c && refuses $submission 'found `main.c`; name the folder step01_line'
 refuses large "step01_line/main.c is no file of 1 MiB at most"
 refuses linked "step01_line/main.c is a link"
 refuses dots.tar "\`../'"
@@ -105,10 +156,11 @@ most=$(awk -F, 'NR == 2 { print $4 }' ../out/class.csv)
 row() {
     grep -qx "$1,$2" ../out/class.csv || wrong "$1 is not $2: $(grep "^$1," ../out/class.csv)"
 }
-row solution "GRADED,$most,$most,3,3,.*"
-row starter "GRADED,0,$most,0,3,.*"
-row 'a%20b' "GRADED,$((most - 2)),$most,3,3,0,.*"
-row stored "GRADED,0,$most,0,3,.*,\"prints stored pictures: step01_line\""
+row solution "GRADED,$most,$most,4,4,.*"
+row starter "GRADED,0,$most,0,4,.*"
+row 'a%20b' "GRADED,$((most - 2)),$most,4,4,0,.*"
+row stored "GRADED,[1-9].*,$most,0,4,.*,\"look at step01_line: draws no picture of anything that is new\""
+grep -q '<td>GRADED: look at step01_line: draws no' ../out/index.html || wrong "the page names nobody to look at"
 for file in report.html report.xml report.json log hidden sources; do
     [ -e "../out/submissions/a%20b/$file" ] || wrong "a b has no $file"
 done
@@ -116,6 +168,23 @@ grep -q 'looks like &quot;x and y exchanged' ../out/index.html || wrong "the pag
 grep -q 'href="submissions/a%2520b/report.html">a%20b<' ../out/index.html || wrong "no link to a b"
 left=$(find build -maxdepth 1 -name 'grade.*'; find ../out -name '.[gm]*')
 [ -z "$left" ] || wrong "left behind: $left"
+
+# ---- The table of a platform ----
+
+cat >../moodle.csv <<'END'
+Identifier,Full name,Email address,Grade,Maximum Grade,Feedback
+Participant 7,"Sol, ""A""",solution@x.org,,100.00,"two
+lines, with a comma"
+Participant 8,Nobody,stor@x.org,12,100.00,
+END
+# shellcheck disable=SC2086
+make -s grade-merge $flags OUT=../out ROSTER=../moodle.csv >"$work/said" 2>&1 || wrong "with a roster: $(cat "$work/said")"
+printf '%s\n' 'Identifier,Full name,Email address,Grade,Maximum Grade,Feedback' \
+    'Participant 7,"Sol, ""A""",solution@x.org,100,100.00,"two' 'lines, with a comma"' \
+    'Participant 8,Nobody,stor@x.org,12,100.00,' | diff - ../out/gradebook.csv || wrong "Moodle's table"
+for name in a%20b starter stored; do
+    grep -qx "    $name" "$work/said" || wrong "does not say that $name is nobody's"
+done
 
 # ---- What is alike ----
 
@@ -131,6 +200,7 @@ mkdir ../alike && cp -R ../out/submissions ../alike || exit 1
 # sources NAME: main.c is standard input.
 sources() {
     mkdir -p "../alike/submissions/$1/sources/step01_line" &&
+        echo GRADED >"../alike/submissions/$1/state" && echo 1 >"../alike/submissions/$1/seconds" &&
         cat >"../alike/submissions/$1/sources/step01_line/main.c" || exit 1
 }
 copy=../alike/submissions/copy/sources/step01_line
@@ -160,8 +230,8 @@ if command -v sim_c >/dev/null; then
     listed=$(sed -E 's/^([89][0-9]|100),//' ../alike/similar.csv | LC_ALL=C sort | tr '\n' ' ')
     [ "$listed" = "percent,lesson,submission,submission step01_line,a%20b,copy \
 step01_line,a%20b,solution step01_line,copy,solution " ] || wrong "alike: $(cat ../alike/similar.csv)"
-    grep -q '>copy</a></td><td>.*>solution</a></td><td>step01_line [0-9]* %' ../alike/index.html ||
-        wrong "the page does not list the copy"
+    grep -qE '>step01_line</td><td[^>]*>3</td><td[^>]*>[89][0-9] %</td><td>.*>a%20b</a>, .*>copy</a>, .*>solution</a><' \
+        ../alike/index.html || wrong "the page does not list the copy"
     for reason in 'zeros, step01_line keeps sim_c from its work' \
         'long, step01_line is longer than 32768 bytes'; do
         grep -q "Not compared: $reason" ../alike/index.html || wrong "the page lacks: $reason"

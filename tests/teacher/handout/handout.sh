@@ -21,11 +21,13 @@ wanted=$2
 . tests/teacher/handout/out.sh
 begin_out "$(mktemp -d)"
 
-# put_changed SCRIPT FILE: put it as awk changes it.
+# put_changed SCRIPT FILE...: put them as awk changes them, which writes each to `out`.
 put_changed() {
-    make_room "$2" &&
-        awk -v first="$first" -v last="$last" "$1" "$2" >"$new/$2" &&
-        { [ ! -x "$2" ] || chmod +x "$new/$2"; } || fail 1 "cannot write $new/$2"
+    script=$1
+    shift
+    printf '%s\n' "$@" >"$work/changed"
+    put_all <"$work/changed" && awk -v first="$first" -v last="$last" -v new="$new/" '
+        FNR == 1 { close(out); out = new FILENAME }'"$script" "$@" || fail 1 "cannot write into $new"
 }
 
 # ---- The lessons ----
@@ -33,10 +35,14 @@ put_changed() {
 # Commands that only the whole course has are in brackets behind what they measure or draw.
 # shellcheck disable=SC2016 # awk's own dollars
 without_commands='
-    { text = text $0 "\n" }
+
+    { text[out] = text[out] $0 "\n" }
     END {
-        gsub(/[ \n]+\(`make (figures|bench|bench-frame|counts)( STEP=[0-9]+)?`\)/, "", text)
-        printf "%s", text
+        for (out in text) {
+            gsub(/[ \n]+\(`make (figures|bench|bench-frame|counts)( STEP=[0-9]+)?`\)/, "", text[out])
+            printf "%s", text[out] >out
+            close(out)
+        }
     }'
 
 put_lesson() {
@@ -44,12 +50,11 @@ put_lesson() {
     put_text starter "$1"
     cp "$new/$1/main.c" "$new/tests/student/starters/$1.c" || fail 1 "cannot write $new/tests"
     for file in "$1"/scenes.h "$1"/extra_*.h "$1"/mine.c "$1"/opengl.c "$1"/attempts.h "$1"/hints.txt \
-        "$1"/[A-Z]*.md "$1"/figures/* tests/reference/"$1"/*; do
-        case $file in
-        *.md) [ ! -f "$file" ] || put_changed "$without_commands" "$file" ;;
-        *) [ ! -f "$file" ] || put "$file" ;;
-        esac
-    done
+        "$1"/figures/* tests/reference/"$1"/*; do
+        [ ! -f "$file" ] || echo "$file"
+    done >"$work/files"
+    put_all <"$work/files"
+    put_changed "$without_commands" "$1"/[A-Z]*.md
 }
 for lesson in $lessons; do
     put_lesson "$lesson"
@@ -60,6 +65,7 @@ done
 # A section ends where the next begins, or with the #endif of its header.
 # shellcheck disable=SC2016
 without_later_sections='
+    FNR == 1 { later = 0 }
     /^\/\* ---- / {
         later = 0
         line = $0
@@ -69,7 +75,7 @@ without_later_sections='
         }
     }
     /^#endif$/ { later = 0 }
-    !later { print }'
+    !later { print >out }'
 
 # Programs of which a student needs the sources, besides the lessons.
 programs="tests/check/check.c tests/student/show.c tests/student/compare_page.c tests/student/live/serve.c common/sculptor/sculpt.c"
@@ -77,12 +83,9 @@ programs="tests/check/check.c tests/student/show.c tests/student/compare_page.c 
 awk -f tests/teacher/handout/needs.awk \
     $(find common tests/check tests/student -name '*.[ch]' ! -name 'test_*' | sort) = \
     $programs "$new"/step*/*.[ch] >"$work/needed" || fail 1 "cannot find out what the lessons need"
-while IFS= read -r file; do
-    case $file in
-    common/*) put_changed "$without_later_sections" "$file" ;;
-    *) put "$file" ;;
-    esac
-done <"$work/needed"
+put_all <"$work/needed"
+# shellcheck disable=SC2046 # one word a file
+put_changed "$without_later_sections" $(grep '^common/' "$work/needed")
 
 # What is no source: scripts, pages, and what the mistakes of these lessons look like.
 {
@@ -101,7 +104,7 @@ put_changed '
         step = substr(name, 5, RLENGTH - 5) + 0
         if (step < first || step > last) next
     }
-    { print }' tests/check/scenes.txt
+    { print >out }' tests/check/scenes.txt
 put tests/lesson.h
 put tests/numbers.h
 ! grep -qs lane_numbers.h "$new"/tests/lessons/*/numbers.c || put tests/lane_numbers.h
@@ -114,7 +117,7 @@ put tests/student/machine.mk
 
 # `make start` has the starters themselves; there is no `make solution`.
 put tests/teacher/handout/start.sh tests/student/start.sh
-put_changed '!/make solution/ { print }' tests/student/student.mk
+put_changed '!/make solution/ { print >out }' tests/student/student.mk
 
 # ---- README.md: of a course that ends here ----
 

@@ -13,7 +13,11 @@
  *       hidden: depth of a model in another size: wrong
  *
  * and at the end `HIDDEN 59/60`, the sum. A scene that does not depend on the model that is given
- * is drawn in another size, unless all sizes have the same picture: it is no secret.
+ * is drawn in another size, unless all sizes have the same picture: it is no secret. A program
+ * that draws a reference where the input asks for another picture, or never any for what is new, is
+ * to be looked at by a person; nothing else is told of it, and no point is taken:
+ *
+ *     step05_zbuffer  look at it: draws the reference where another picture is asked for: 3
  *
  * Exit status: 0 all right, 1 something is wrong, 2 it cannot be tried.
  */
@@ -44,7 +48,8 @@ enum {
     SECONDS = 30,
     OPTION_TEXT = 48,
     FIRST_SIZE = 600, /* of images in another size: these, and up to LAST_SIZE */
-    LAST_SIZE = 900
+    LAST_SIZE = 900,
+    KNOWN_LEAST = 50 /* drawn pixels of a picture that nobody draws by chance */
 };
 
 /* What is drawn, and the program's other options. */
@@ -58,7 +63,8 @@ struct hidden_case {
 
 static const struct hidden_case cases[] = {
     {"lines", INPUT_LINES, 1, 1, false, false, false, false},
-    {"more lines", INPUT_LINES, 1, 1, false, false, false, false},
+    {"lines that no tie decides", INPUT_ODD_LINES, 1, 1, false, false, false, false},
+    {"lines along the axes and diagonals", INPUT_AXIS_LINES, 1, 1, false, false, false, false},
     {"lines of two colours", INPUT_GRADIENT_LINES, 1, 1, false, false, false, false},
     {"wireframe of a model", INPUT_MODEL, 2, 2, true, false, false, false},
     {"triangles", INPUT_TRIANGLES, 3, 3, false, false, false, false},
@@ -81,6 +87,8 @@ struct hidden {
     uint64_t seed;
     struct scene_table table;
     size_t right, tried;
+    size_t known;       /* of the present step: pictures that are references */
+    size_t missing;     /* and none at all, of programs that end well */
     struct bytes wrong; /* of the present step: a line each */
 };
 
@@ -230,24 +238,36 @@ static bool is_right(const struct image *solution, const struct image *yours,
            share_within(found.coverage.count, found.drawn, limits->coverage_limit + MORE_COVERAGE);
 }
 
+/* Is it one of the lesson's references? */
+static bool is_reference(const struct image *yours, const struct checked_step *step) {
+    bool is_known = false;
+    for (size_t i = 0; i < step->scene_count && !is_known; i++) {
+        is_known = !is_secret(yours, step->name, step->items[i].scene);
+    }
+    return is_known && compare_images(yours, yours).drawn >= KNOWN_LEAST;
+}
+
 /* Compare the pictures PICTURE.tga of both; counts it, and says when it is wrong. What everybody
  * has is not counted. */
-static void judge(struct hidden *hidden, const struct pair *pair, const char *step,
-                  const char *picture, const struct checked_item *scene, const char *says) {
+static void judge(struct hidden *hidden, const struct pair *pair, const struct ending *ending,
+                  const struct checked_step *step, const char *picture,
+                  const struct checked_item *scene, const char *says) {
     struct image solution, yours;
     struct error ignored;
     if (drawn_read(&solution, pair->solution.pictures, picture, NULL, &ignored) != DRAWN_READ) {
         return; /* the scene does not take this input */
     }
-    if (!is_secret(&solution, step, picture)) {
+    if (!is_secret(&solution, step->name, picture)) {
         image_free(&solution);
         return;
     }
-    drawn_read(&yours, pair->yours.pictures, picture, &solution, &ignored);
+    enum drawn_state state = drawn_read(&yours, pair->yours.pictures, picture, &solution, &ignored);
     bool right = is_right(&solution, &yours, scene);
     hidden->tried++;
     hidden->right += right;
+    hidden->missing += ending->well && state == DRAWN_MISSING;
     if (!right) {
+        hidden->known += is_reference(&yours, step);
         char line[320];
         int length = snprintf(line, sizeof line, "  hidden: %s: wrong\n", says);
         bytes_append(&hidden->wrong, line, (size_t)length); /* without memory it is only not told */
@@ -259,10 +279,12 @@ static void judge(struct hidden *hidden, const struct pair *pair, const char *st
 /* The scene of the table whose limits hold for a text scene. */
 static const struct checked_item *limits_for(const struct hidden *hidden, const char *step,
                                              enum input_kind kind) {
+    bool lines = strncmp(step, "step01_", 7) == 0;
+    bool gradient = kind == INPUT_GRADIENT_LINES || kind == INPUT_GRADIENT_TRIANGLES;
     return scene_table_find(&hidden->table, step,
-                            kind == INPUT_LINES       ? "line"
-                            : kind == INPUT_TRIANGLES ? "triangle"
-                                                      : "gradient");
+                            gradient ? "gradient"
+                            : lines  ? "line"
+                                     : "triangle");
 }
 
 /* Scenes that are left to the references, since correct programs of alternatives.txt differ in
@@ -334,19 +356,29 @@ static bool try_case(struct hidden *hidden, const struct checked_step *step, siz
                 draw(&pair.yours, hidden->runner, hidden->programs, step->name, &told,
                      hidden_case->kind, seed, &yours, error);
     if (done && unseen_takes_text(step->name)) {
-        judge(hidden, &pair, step->name, "scene", limits_for(hidden, step->name, hidden_case->kind),
-              hidden_case->says);
+        judge(hidden, &pair, &yours, step, "scene",
+              limits_for(hidden, step->name, hidden_case->kind), hidden_case->says);
     }
     for (size_t i = 0; i < step->scene_count && done && !unseen_takes_text(step->name); i++) {
         if (uses[i] == (hidden_case->fixed ? USE_FIXED : USE_MODEL)) {
             snprintf(says, sizeof says, "%s %s %s", step->items[i].scene,
                      hidden_case->fixed ? "in" : "of", hidden_case->says);
-            judge(hidden, &pair, step->name, step->items[i].scene, &step->items[i], says);
+            judge(hidden, &pair, &yours, step, step->items[i].scene, &step->items[i], says);
         }
     }
     unseen_end(&pair.yours);
     unseen_end(&pair.solution);
     return done;
+}
+
+/* What a person should look at, whose program it is. */
+static void print_look_at(const struct hidden *hidden, const char *step, size_t tried) {
+    if (hidden->known > 0) {
+        printf("%s  look at it: draws the reference where another picture is asked for: %zu\n",
+               step, hidden->known);
+    } else if (hidden->missing == tried) {
+        printf("%s  look at it: draws no picture of anything that is new\n", step);
+    }
 }
 
 /* Try the step, and print what came of it. */
@@ -355,6 +387,7 @@ static bool try_step(struct hidden *hidden, const struct checked_step *step, str
     bool text = unseen_takes_text(step->name);
     enum use *uses = calloc(step->scene_count, sizeof *uses);
     size_t right = hidden->right, tried = hidden->tried;
+    hidden->known = hidden->missing = 0;
     if (uses == NULL) {
         return error_out_of_memory(error);
     }
@@ -374,6 +407,7 @@ static bool try_step(struct hidden *hidden, const struct checked_step *step, str
         printf("%s  HIDDEN %zu/%zu\n%.*s", step->name, hidden->right - right, hidden->tried - tried,
                (int)hidden->wrong.size,
                hidden->wrong.size > 0 ? (const char *)hidden->wrong.data : "");
+        print_look_at(hidden, step->name, hidden->tried - tried);
         fflush(stdout);
     }
     free(uses);

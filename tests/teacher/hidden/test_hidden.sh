@@ -117,23 +117,15 @@ done
 built step01_line step05_zbuffer
 cp step05_zbuffer/main.c "$work/stored.c"
 
-# Half of the points of lesson 5: it may have tried.
-# task STEP TASK STATE POINTS MOST
-task() {
-    printf '"step": "%s"\n{"task": "%s", "state": "%s", "points": %s, "most": %s}\n' "$@"
-}
-{
-    task step01_line 1.1 PASS 6 10
-    task step05_zbuffer 5.1 PASS 2 2
-    task step05_zbuffer 5.2 FAIL 3 8
-} >points
-hidden 1 1 '' "$work" points
+hidden 1 1 '' "$work"
 says 'HIDDEN 0/[1-9][0-9]*'
 says '  hidden: lines: wrong'
+says '  hidden: lines that no tie decides: wrong'
 says '  hidden: depth of a new model: wrong'
 says '  hidden: single in another size: wrong'
-says 'step01_line  prints stored pictures: it counts nothing'
-says 'SCORE 5/20'
+for lesson in step01_line step05_zbuffer; do
+    says "$lesson  look at it: draws the reference where another picture is asked for: [1-9][0-9]*"
+done
 ! grep -q "$work" "$work/said" || wrong "tells where the solution is"
 
 # As a solution it has nothing to hold others against, even with marks.
@@ -233,15 +225,29 @@ cp "$work/step05_zbuffer/main.c" step05_zbuffer/main.c
 make -s check STEP=5 HIDDEN=3 $flags >"$work/said" 2>&1 || wrong "make check HIDDEN=3 fails"
 says '1 passed, 0 failed'
 says 'HIDDEN \([1-9][0-9]*\)/\1'
-! grep -q 'stored' "$work/said" || wrong "a solution prints stored pictures"
+! grep -q 'look at it' "$work/said" || wrong "a solution is to be looked at"
 
-# A program that prints stored pictures keeps no point of what the check gave it.
+# A program that prints stored pictures is to be looked at.
 cp "$work/stored.c" step05_zbuffer/main.c
 # shellcheck disable=SC2086
 make -s check STEP=5 HIDDEN=3 SOLUTION="$work" $flags >"$work/said" 2>&1 &&
     wrong "stored pictures pass"
-says 'step05_zbuffer  prints stored pictures: it counts nothing'
-says 'SCORE [1-9][0-9]*/[1-9][0-9]*'
-says 'SCORE 0/[1-9][0-9]*'
+says 'step05_zbuffer  look at it: draws the reference where another picture is asked for: [1-9][0-9]*'
+
+# Honest mistakes are not, with any seed: half-way ties rounded down, by which some hidden scenes are
+# wrong and some right; and a program that crashes.
+sed 's/walk->error > 0/walk->error >= 0/' "$work/step01_line/main.c" >step01_line/main.c
+cmp -s step01_line/main.c "$work/step01_line/main.c" && wrong "no mistake is made"
+built step01_line
+for seed in 1 2 3 7 8 9 10; do
+    hidden 1 $seed 1 "$work"
+    says '  hidden: lines: wrong'
+    says 'HIDDEN [23]/4'
+    ! grep -q 'look at it' "$work/said" || wrong "an honest program is to be looked at: $(cat "$work/said")"
+done
+sed 's/^int main.*/&\n    if (argc > 3) abort();/' "$work/step01_line/main.c" >step01_line/main.c
+built step01_line
+hidden 1 1 1 "$work"
+! grep -q 'look at it' "$work/said" || wrong "a program that crashes is to be looked at"
 
 exit $failed

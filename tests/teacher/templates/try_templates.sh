@@ -171,7 +171,7 @@ assert scores == (points if sys.argv[3] == "solution" else 0), scores
 if sys.argv[3] == "broken":
     assert "error" in result["output"], result["output"]
 if sys.argv[3] == "nothing":
-    assert result["output"] == "There is no step05_zbuffer/main.c in the submission.\n"
+    assert result["output"] == "step05_zbuffer/main.c is a link.\n"
 END
     cp "$AUTOGRADER/source/course/tests/student/starters/step05_zbuffer.c" \
         "$AUTOGRADER/source/course/step05_zbuffer/main.c" # each has its own container

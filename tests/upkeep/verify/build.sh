@@ -3,10 +3,11 @@
 #
 #     build.sh COMMANDS -s DIRECTORY/STEP        or DIRECTORY/numbers/STEP, which calls its functions
 #
-# (What the check asks to be tried meanwhile it asks for again, where it is not there.)
-# from DIRECTORY/main.c and the headers of STEP. COMMANDS has in three lines how to compile, how to
-# link, and with what.
+# from DIRECTORY/main.c, which stays as it is, and the headers of STEP: once for all checks. (What the
+# check asks to be tried meanwhile it asks for again, where it is not there.) COMMANDS has in three
+# lines how to compile, how to link, and with what.
 program=$3
+[ ! -f "$program.kept" ] || exec ln -f "$program.kept" "$program"
 compile=$(sed -n 1p "$1")
 link=$(sed -n 2p "$1")
 libraries=$(sed -n 3p "$1")
@@ -24,4 +25,4 @@ case $place in
 *) source=$place/main.c ;;
 esac
 eval "$compile -I'$step' -c '$source' -o '$program.o'" &&
-    eval "$link '$program.o' $libraries -o '$program'"
+    eval "$link '$program.o' $libraries -o '$program'" && ln -f "$program" "$program.kept"

@@ -11,8 +11,8 @@
 #
 # MAKE builds a program; STEP is 5, 05 or step05_zbuffer; PATTERN: only mistakes and programs with
 # it in their names. Works in BUILD, where the check, the library and the models must be built. As
-# many at a time as there are processors; WORKERS=1 in the environment for one, VERIFY_SIXTEENTH=0
-# to 15 for one of 16 mistakes, correct programs and undone tasks.
+# many at a time as there are processors; WORKERS=1 in the environment for one, VERIFY_SHARE=0/32 to
+# 31/32 for one of 32 mistakes, correct programs and undone tasks.
 #
 # Prints each finding as it comes, with what the check said, then how many of each lesson were judged
 # rightly.
@@ -22,7 +22,7 @@ build=$1
 make=$2
 wanted=${3:-}
 only=${4:-}
-sixteenth=${VERIFY_SIXTEENTH:-}
+share=${VERIFY_SHARE:-}
 workers=${WORKERS:-$(getconf _NPROCESSORS_ONLN 2>/dev/null || echo 2)}
 work=$(mktemp -d "$build/verify.XXXXXX") || exit 1
 trap 'rm -rf "$work"' EXIT
@@ -137,8 +137,9 @@ print_table() {
 
 find_lessons
 make_table
-if [ -n "$sixteenth" ]; then
-    awk -F '\t' -v part="$sixteenth" '$3 !~ /^(mistake|accept|undone)$/ || ++listed % 16 == part' \
+if [ -n "$share" ]; then
+    awk -F '\t' -v share="$share" 'BEGIN { split(share, part, "/") }
+        $3 !~ /^(mistake|accept|undone)$/ || ++listed % part[2] == part[1]' \
         "$work/table" >"$work/part" && mv "$work/part" "$work/table" || exit 1
 fi
 : >"$work/results"

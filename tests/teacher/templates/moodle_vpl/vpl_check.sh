@@ -14,18 +14,19 @@
 
 # shellcheck source=/dev/null disable=SC2154 # comes from Moodle; grade from who reads this
 . ./common_script.sh
-rm -rf course vpl_execution
-mkdir course && tar xzf course.tar.gz -C course --strip-components=1 || exit 1
-note=$(sh ./take.sh . course) || exit 1
+rm -f vpl_execution
+course=$(mktemp -d) && tar xzf course.tar.gz -C "$course" --strip-components=1 || exit 1
+note=$(sh ./take.sh . "$course" "$course")
+[ $? != 1 ] || exit 1
 
 flags='CFLAGS=-O1 MARCH='
 # shellcheck disable=SC2086 # one word a flag
-said=$(cd course && make -s $flags build/check models 2>&1 &&
+said=$(cd "$course" && make -s $flags build/check models 2>&1 &&
     build/check --make "make -s $flags" --json report.json 2>&1)
 score=
-[ ! -f course/report.json ] ||
+[ ! -f "$course/report.json" ] ||
     score=$(sed -n '1,3{s/^  "points": \([0-9]*\),$/\1/p; s/^  "most": \([0-9]*\),$/\1/p;}' \
-        course/report.json | tr '\n' ' ')
+        "$course/report.json" | tr '\n' ' ')
 score=${score% }
 
 # Each line of what programs and compilers say begins with >, so none can end the text or the
@@ -47,3 +48,4 @@ score=${score% }
     echo END_OF_RESULT
 } >vpl_execution
 chmod +x vpl_execution
+rm -rf "$course"

@@ -1,0 +1,126 @@
+# The points of a class in the form that a learning platform imports: the roster that it gave, with points.
+#
+#     awk -v roster=FILE -v column=NAME -v others=FILE -F '\t' -f sums.awk -f gradebook.awk RESULTS
+#
+# FILE is Moodle's grading worksheet (Identifier, Full name, Email address, ..., Grade, Maximum Grade),
+# Canvas's export of its gradebook (Student, ID, SIS User ID, SIS Login ID, Section, ...), or any table
+# with a heading, as CSV. A row's submission has the number, login, e-mail address (or what is before its
+# @) or name of the row in its own name. NAME is the column that gets the points; without it Moodle's
+# `Grade`, as a share of the maximum, Canvas's last assignment, or a new column, Points. Who handed in
+# twice gets the points of the later name. `others` becomes a list of submissions that are nobody's.
+
+# Fields of a line of CSV, in field[1], ...; how many.
+function read_fields(text, field,    count, value) {
+    split("", field)
+    for (count = 1; ; count++) {
+        if (match(text, /^"([^"]|"")*"/)) {
+            value = substr(text, 2, RLENGTH - 2)
+            gsub(/""/, "\"", value)
+        } else {
+            match(text, /^[^,]*/)
+            value = substr(text, 1, RLENGTH)
+        }
+        field[count] = value
+        text = substr(text, RLENGTH + 1)
+        if (text == "") return count
+        text = substr(text, 2)
+    }
+}
+
+# The next row, over several lines where a field has some; false at the end.
+function next_row(    line, quotes) {
+    row = ""
+    while ((getline line < roster) > 0) {
+        sub(/\r$/, "", line)
+        row = row (row == "" ? "" : "\n") line
+        quotes = row
+        if (gsub(/"/, "", quotes) % 2 == 0) return 1
+    }
+    return row != ""
+}
+
+function quoted(value) {
+    if (value !~ /[",\n]/) return value
+    gsub(/"/, "\"\"", value)
+    return "\"" value "\""
+}
+
+# Small letters and digits with one blank between.
+function plain(text) {
+    text = tolower(text)
+    gsub(/%[0-9a-f][0-9a-f]/, " ", text)
+    gsub(/[^a-z0-9@\200-\377]+/, " ", text)
+    return " " text " "
+}
+
+# How surely the field says who somebody is: 1 a number, 2 a login or address, 3 a name; 0 not at all.
+function kind_of(title) {
+    title = tolower(title)
+    if (title ~ /^(.*id|identifier|.*number)$/) return 1
+    if (title ~ /login|e-?mail|username/) return 2
+    return title ~ /^(student|.*name)$/ ? 3 : 0
+}
+
+# The submission of the row, or "": of one person the last. By the surest field that somebody has; where
+# that is more than one person, by none.
+function submission_of(count,    kind, i, n, key, found, sum) {
+    for (kind = 1; kind <= 3; kind++) {
+        sum = 0
+        for (i = 1; i <= count; i++) {
+            key = field[i]
+            if (kind_of(title[i]) != kind || key ~ /^ *$/) continue
+            sub(/^Participant /, "", key)
+            if (key ~ /, /) key = substr(key, index(key, ", ") + 2) " " substr(key, 1, index(key, ", ") - 1)
+            else sub(/@.*/, "", key)
+            for (n = 1; n <= name_count; n++)
+                if (index(plain(person(names[n])), plain(key)) ||
+                    kind == 3 && index(plain(person(names[n])), squeezed(field[i]))) {
+                    if (sum == 0 || person(names[n]) != person(found)) sum++
+                    found = names[n]
+                }
+        }
+        if (sum == 1) {
+            for (n = 1; n <= name_count; n++) if (person(names[n]) == person(found)) taken[names[n]] = 1
+            return found
+        }
+        if (sum > 1) return ""
+    }
+    return ""
+}
+
+# "Doe, Jane" as Canvas names files: doejane.
+function squeezed(text) {
+    text = plain(text)
+    gsub(/ /, "", text)
+    return " " text " "
+}
+
+END {
+    if (!next_row()) {
+        print "make grade: ROSTER=" roster " is empty or not there" > "/dev/stderr"
+        exit 1
+    }
+    sub(/^\357\273\277/, "", row)
+    columns = read_fields(row, title)
+    for (i = 1; i <= columns; i++) {
+        if (title[i] == (column == "" ? "Grade" : column)) goal = i
+        if (title[i] == "Maximum Grade") maximum = i
+    }
+    if (!goal && column == "" && title[columns] ~ /\([0-9]+\)$/) goal = columns # an assignment of Canvas
+    if (!goal) title[goal = ++columns] = column == "" ? "Points" : column
+    for (first = 1; first || next_row(); first = 0) {
+        if (!first) {
+            read_fields(row, field)
+            name = submission_of(columns)
+            if (name != "") {
+                share = field[maximum] + 0 > 0 && title[goal] == "Grade" ? field[maximum] / total_most() : 1
+                field[goal] = sprintf("%.2f", total(name) * share)
+                sub(/\.?0+$/, "", field[goal])
+                if (field[goal] == "") field[goal] = 0
+            }
+        }
+        for (i = 1; i <= columns; i++) printf "%s%s", (i > 1 ? "," : ""), quoted(first ? title[i] : field[i])
+        printf "\n"
+    }
+    for (n = 1; n <= name_count; n++) if (!(names[n] in taken)) print names[n] > others
+}
