@@ -373,4 +373,5 @@ void options_print_help(const struct program *program) {
     } else if (takes_model(program)) {
         printf("Without a model: %s/%s\n", MODELS_DIRECTORY, DEFAULT_MODEL);
     }
+    printf("Version %s of the course\n", COURSE_VERSION);
 }

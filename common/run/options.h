@@ -10,6 +10,9 @@
 #include "files/image_file.h"
 #include "run/scene.h"
 
+/* --help ends with it; .github/CHANGELOG.md says what changed. */
+#define COURSE_VERSION "1.0"
+
 /* The Makefile tells where it builds, so that a step runs from any working directory. */
 #ifndef COURSE_BUILD
 #define COURSE_BUILD "build"

@@ -16,21 +16,27 @@ list_lessons() {
     done
 }
 
-# Sets lessons to those of wanted, 5 or 1-5, all when it is empty, and first and last to its numbers.
+# Sets lessons to those of wanted, such as 5 or 1-3,5, all when it is empty, each once and in their order;
+# and first and last to the numbers of the first and the last.
 select_lessons() {
     wanted=${wanted:-1-99}
-    case $wanted in
-    *[!0-9-]* | -* | *- | *-*-*) fail 2 "LESSONS=$wanted is neither a number nor like 1-5" ;;
-    esac
-    first=${wanted%-*}
-    last=${wanted#*-}
     lessons=
     for lesson in $(list_lessons); do
         number=${lesson#step}
         number=${number%%_*}
-        [ "$number" -lt "$first" ] || [ "$number" -gt "$last" ] || lessons="$lessons $lesson"
+        for range in $(echo "$wanted" | tr , ' '); do
+            case $range in
+            *[!0-9-]* | -* | *- | *-*-*) fail 2 "LESSONS=$wanted is neither a number nor like 1-3,5" ;;
+            esac
+            [ "$number" -lt "${range%-*}" ] || [ "$number" -gt "${range#*-}" ] || {
+                lessons="$lessons $lesson"
+                break
+            }
+        done
     done
     [ -n "$lessons" ] || fail 2 "there is no lesson in LESSONS=$wanted"
+    first=$(echo "$lessons" | sed 's/^ step0*\([0-9]*\).*/\1/')
+    last=$(echo "$lessons" | sed 's/.* step0*\([0-9]*\)[^ ]*$/\1/')
 }
 
 # step05_zbuffer from 5, 05, step05_zbuffer or step05_zbuffer/.

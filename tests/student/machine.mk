@@ -14,11 +14,20 @@ endef
 ifneq ($(filter-out help clean start solution handout commands,$(or $(MAKECMDGOALS),all)),)
 ifneq ($(origin MISSING),command line)
 MISSING := $(shell command -v $(firstword $(CC)) >/dev/null 2>&1 || echo compiler; \
+                   known=$$($(CC) $(CFLAGS) $(MARCH) -MMD -MF /dev/null -dM -E -x c /dev/null 2>/dev/null) || \
+                       echo options; \
+                   case $$known in (*FLT_EVAL_METHOD__\ [12]*) echo wide ;; esac; \
                    [ -d '$(or $(TMPDIR),.)' ] || echo temporary; \
                    { mkdir -p '$(BUILD)' && [ -w '$(BUILD)' ]; } 2>/dev/null || echo build; \
-                   case $$($(CC) -dumpmachine 2>/dev/null) in (*mingw*) echo windows ;; esac)
+                   case $$($(CC) -dumpmachine 2>/dev/null) in (*mingw*) echo windows; \
+                       [ "$$(uname -s)" != Linux ] || grep -qs '^magic 4d5a' /proc/sys/fs/binfmt_misc/* || \
+                       echo wine ;; esac)
 endif
 $(if $(filter compiler,$(MISSING)),$(error $(NO_COMPILER)))
+$(if $(filter options,$(MISSING)),$(error $(CC) does not take the options of gcc and clang, or CFLAGS has \
+    one that it does not know. Try make CC=gcc (from version 11) or CC=clang (from 13)))
+$(if $(filter wide,$(MISSING)),$(error $(CC) $(CFLAGS) computes more exactly than double, so no picture can be \
+    equal: add -msse2 -mfpmath=sse, as in make CC="gcc -m32 -msse2 -mfpmath=sse"))
 $(if $(filter build,$(MISSING)),$(error nothing can be written into $(BUILD): name another directory, \
     for example make BUILD=/tmp/course))
 ifneq ($(filter temporary,$(MISSING)),)
@@ -33,6 +42,9 @@ ifneq ($(filter windows,$(MISSING)),)
 POSIX := $(filter-out all programs models new check hint $(patsubst %/.new,%,$(wildcard */.new)) \
              $(STEPS) $(BUILD)/%,$(MAKECMDGOALS)) $(SANITIZE:%=SANITIZE=%)
 $(if $(strip $(POSIX)),$(error make $(strip $(POSIX)) needs WSL: README.md, "Start"))
+ifneq ($(and $(filter wine,$(MISSING)),$(filter all check models $(STEPS),$(or $(MAKECMDGOALS),all))),)
+$(error what $(CC) builds runs on Windows, and not here: call make there, or install wine and its binfmt)
+endif
 override MAKE_TERMOUT =
 BUILT := $(or $(shell cygpath -am '$(BUILD)' 2>/dev/null),$(BUILT))
 WARNINGS += -Wno-float-conversion

@@ -38,6 +38,17 @@ says 'make SANITIZE=1 needs WSL'
 said_by 0 make -s CC="$work/gcc" -n programs
 said_by 1 make CC="$work/gcc" BUILD="$work/build" check
 silent 'needs WSL'
+if [ "$(uname -s)" = Linux ] && ! grep -qs '^magic 4d5a' /proc/sys/fs/binfmt_misc/*; then
+    says 'runs on Windows, and not here'
+fi
+
+# One that takes other options, as tcc does, and one that computes in long double, as gcc -m32 does.
+printf '#!/bin/sh\necho "invalid option -- -MMD" >&2\nexit 1\n' >"$work/gcc"
+said_by 1 make CC="$work/gcc" programs
+says 'does not take the options of gcc and clang'
+printf '#!/bin/sh\necho "#define __FLT_EVAL_METHOD__ 2"\n' >"$work/gcc"
+said_by 1 make CC="$work/gcc" programs
+says 'add -msse2 -mfpmath=sse'
 
 if command -v bmake >/dev/null; then
     bmake check >"$work/said" 2>&1 && wrong "bmake makes it"

@@ -1,6 +1,6 @@
 ##
 ## For teachers (tests/teacher/README.md says more):
-##   make handout OUT=dir        what a student gets: starters, and no solution (LESSONS=1-5)
+##   make handout OUT=dir        what a student gets: starters, and no solution (LESSONS=1-3,5)
 ##   make key OUT=dir            what an instructor gets: solutions, the pictures of mistakes,
 ##                               points (LESSONS=1-5)
 ##   make check HIDDEN=7         the check, and then scenes that nobody has seen, made from that

@@ -175,5 +175,5 @@ $(BUILD)/figures/%: %/figures.c $(BUILD)/tests/bench/figures.o $(BUILD)/libcommo
 	$(SAY) CC $<
 	$(Q)$(COMPILE) -Itests -MF $@.d $< $(BUILD)/tests/bench/figures.o $(BUILD)/libcommon.a -lm -o $@
 
-references: $(BUILD)/check programs models
+references: $(BUILD)/check $(CHOSEN:%=$(BUILD)/quick/%) models
 	$(Q)sh tests/check/references.sh $(BUILD) '$(MAKE) -s' $(CHOSEN)

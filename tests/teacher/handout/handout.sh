@@ -1,7 +1,7 @@
 #!/bin/sh
 # Writes what a student gets: a course without solutions.
 #
-#     handout.sh OUT [LESSONS]        LESSONS is 5 or 1-5; all of them without it
+#     handout.sh OUT [LESSONS]        LESSONS is such as 5, 1-5 or 1-3,5; all of them without it
 #
 # OUT is a directory that is not there yet, or empty. It gets the lessons with main.c as the
 # starter, the texts, the check with its references, hints, and what of common these
@@ -26,13 +26,13 @@ put_changed() {
     script=$1
     shift
     printf '%s\n' "$@" >"$work/changed"
-    put_all <"$work/changed" && awk -v first="$first" -v last="$last" -v new="$new/" '
+    put_all <"$work/changed" && awk -v lessons="$lessons" -v last="$last" -v new="$new/" '
         FNR == 1 { close(out); out = new FILENAME }'"$script" "$@" || fail 1 "cannot write into $new"
 }
 
 # ---- The lessons ----
 
-# Commands that only the whole course has are in brackets behind what they measure or draw.
+# Commands and files that only the whole course has are in brackets behind what they measure or draw.
 # shellcheck disable=SC2016 # awk's own dollars
 without_commands='
 
@@ -40,6 +40,7 @@ without_commands='
     END {
         for (out in text) {
             gsub(/[ \n]+\(`make (figures|bench|bench-frame|counts)( STEP=[0-9]+)?`\)/, "", text[out])
+            gsub(/; `[a-z_]+\(\)` in `tests\/lessons\/[^`]+`/, "", text[out])
             printf "%s", text[out] >out
             close(out)
         }
@@ -100,18 +101,15 @@ put_all <"$work/others"
 # shellcheck disable=SC2016
 put_changed '
     { name = $1 ~ /^step/ ? $1 : $2 } # `work` and `relations` are before it
-    match(name, /^step[0-9]+_/) {
-        step = substr(name, 5, RLENGTH - 5) + 0
-        if (step < first || step > last) next
-    }
+    name ~ /^step[0-9]+_/ && !index(lessons " ", " " name " ") { next }
     { print >out }' tests/check/scenes.txt
 put tests/lesson.h
 put tests/numbers.h
 ! grep -qs lane_numbers.h "$new"/tests/lessons/*/numbers.c || put tests/lane_numbers.h
 [ ! -f "$new/common/pipeline.h" ] || put tests/student/new.c # which draws with it
-put LICENSE
-put Makefile
-put step10_phong/figures/turn.png # where all this leads to: README.md begins with it
+for file in LICENSE Makefile .gitattributes .gitignore; do
+    put $file
+done
 put tests/student/lesson.sh
 put tests/student/machine.mk
 
@@ -123,13 +121,52 @@ put_changed '!/make solution/ { print >out }' tests/student/student.mk
 
 first_lesson=${lessons# }
 first_lesson=${first_lesson%% *}
+# In words, where they are not all.
+some=
+[ "$(list_lessons | wc -l)" -eq "$(echo "$lessons" | wc -w)" ] || some=$(echo "$wanted" | sed 's/-/ to /g; s/,/, /g')
 sed -e "/^Then read/s|.*|Then read [lesson $first]($first_lesson/README.md).|" \
     -e "s/STEP=01/STEP=$(echo "$first_lesson" | cut -c 5-6)/; s/turns lesson 1 into/turns lesson $first into/" \
     README.md |
-    awk -v first="$first" -v last="$last" '
-        function is_there(step) { return step + 0 >= first && step + 0 <= last }
+    awk -v lessons="$lessons" -v last="$last" -v some="$some" '
+        function is_there(step) { return index(lessons, " step" step "_") }
+        # "2½ hours" as a number
+        function hours_of(text,    hours) {
+            hours = text + 0
+            if (text ~ /¼/) hours += 0.25
+            if (text ~ /½/) hours += 0.5
+            if (text ~ /¾/) hours += 0.75
+            return hours
+        }
+        FNR == 1 { file++ }
+        # First what the map says of the lessons that are there.
+        file == 1 {
+            if (/^<tr>/) picture = $0
+            if (/href="step/) match($0, /step[0-9]+/)
+            if (/href="step/ && is_there(substr($0, RSTART + 4, RLENGTH - 4)) && match($0, /<td>[^<]* hours?</)) {
+                hours += hours_of(substr($0, RSTART + 4))
+                sub(/.*src="/, "", picture)
+                sub(/".*/, "", picture)
+                last_picture = picture
+            }
+            next
+        }
         /^## More/ { exit }
         /^    make solution/ || /^What is cloned is solved/ { next }
+        BEGIN { several = some ~ /[^0-9]/ }
+        some && /^# / { sub(/in ten lessons/, "by hand: lesson" (several ? "s " : " ") some) }
+        last < 10 && /^From one line of pixels/ {
+            print "In C17, without a graphics library or any other package. You learn what a graphics card does by writing it"
+            print "yourself. Each technique comes with the attempts before it, their flaws in a picture, and a check that says"
+            print "whether yours is right."
+            skipping = 1
+            blank = 0
+        }
+        skipping { if (NF) next; skipping = 0 }
+        some { sub(/The whole course takes about [0-9]+/, (several ? "The lessons take" : "The lesson takes") \
+                   " about " int(hours + 0.99)) }
+        last < 10 { sub(/with the last picture of the course/, "with its last picture") }
+        last < 10 && /^<img src="step10_phong.*width="15%"/ { next }
+        last < 10 && /^<img src="step10_phong/ { print "<img src=\"" last_picture "\" width=\"240\" alt=\"\">"; next }
         /^<img src="tests\/reference/ { # a lesson that is not there
             match($0, /step[0-9]+/)
             if (!is_there(substr($0, RSTART + 4, RLENGTH - 4))) next
@@ -146,7 +183,7 @@ sed -e "/^Then read/s|.*|Then read [lesson $first]($first_lesson/README.md).|" \
             next
         }
         NF || !blank { print }
-        { blank = !NF }' >"$new/README.md" || fail 1 "cannot write $new/README.md"
+        { blank = !NF }' README.md - >"$new/README.md" || fail 1 "cannot write $new/README.md"
 
 finish_texts
 

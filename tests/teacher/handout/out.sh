@@ -48,6 +48,7 @@ put_text() {
 # Pictures of other places that a text shows come along; links to what is not there become words.
 finish_texts() {
     for text in "$new"/*/*.md; do
+        [ -f "$text" ] || continue
         directory=$(dirname "$text")
         grep -oE '(src="|\]\()[^")]*\.(png|svg)' "$text" | sed 's/^src="//; s/^](//' |
             while IFS= read -r link; do
@@ -65,6 +66,8 @@ finish_texts() {
             done >"$work/missing"
         awk -v missing="$work/missing" '
             BEGIN { while ((getline link <missing) > 0) gone[link] = 1 }
+            { was_dropped = dropped; dropped = 0 }
+            was_dropped && !NF { next }
             {
                 rest = $0
                 line = ""
@@ -75,6 +78,11 @@ finish_texts() {
                     sub(/.*\]\(/, "", target); sub(/[#)].*/, "", target)
                     before = substr(rest, 1, RSTART - 1)
                     if (target in gone) sub(/!$/, "", before)
+                    # A row about it, or a line that is nothing else, goes with it.
+                    if (target in gone && (line before == "| " || whole "." == $0)) {
+                        dropped = 1
+                        next
+                    }
                     line = line before ((target in gone) ? words : whole)
                     rest = substr(rest, RSTART + RLENGTH)
                 }

@@ -67,6 +67,35 @@ commands_are_there() {
         grep -vxF "$(sed 's/^/make /' "$work/there")"
 }
 
+# paths_are_there: so is every file that its texts name, but what programs write and a system has.
+paths_are_there() {
+    for text in README.md step*/*.md tests/*/*.md; do
+        grep -oE '`[A-Za-z0-9_./]+(\.(c|h|sh|txt|md|mk|awk)|/)`' "$text" | tr -d '`' | sort -u |
+            while read -r path; do
+                case $path in build/* | mine/* | math.h) continue ;; esac
+                for place in . "$(dirname "$text")" common tests; do
+                    [ ! -e "$place/$path" ] || continue 2
+                done
+                echo "$text names $path"
+            done
+    done
+}
+hand_out "$work/three" 1-3 || wrong "LESSONS=1-3 fails: $(cat "$work/log")"
+hand_out "$work/all" '' || wrong "make handout fails: $(cat "$work/log")"
+for out in one three all; do
+    missing=$(cd "$work/$out" && paths_are_there)
+    [ -z "$missing" ] || wrong "$out: $missing"
+    for file in .gitattributes .gitignore; do
+        cmp -s $file "$work/$out/$file" || wrong "$out has no $file"
+    done
+done
+for text in '# A software renderer by hand: lessons 1 to 3' 'pointers. The lessons take about 9 hours.'; do
+    grep -qxF "$text" "$work/three/README.md" || wrong "its README.md does not say: $text"
+done
+! grep -qE 'ten lessons|turn\.png|tried, and how' "$work/three/README.md" ||
+    wrong "README.md of lessons 1 to 3 speaks of others"
+cmp -s README.md "$work/all/README.md" && wrong "README.md speaks of what stays here"
+
 # What a lesson asks for can be written with the headers that come with it, and what its text tells
 # to do is there.
 cd "$top" || exit 1
@@ -89,7 +118,6 @@ done
 
 # All lessons. A C compiler brings binutils; the others are in every system.
 cd "$top" || exit 1
-hand_out "$work/all" '' || wrong "make handout fails: $(cat "$work/log")"
 mkdir "$work/bin"
 for tool in gcc as ld ar make sh awk sed cmp cksum getconf cat chmod cp date dirname basename echo \
     env expr head ls mkdir mktemp mv rm rmdir sort tail test touch tr true uname wc; do

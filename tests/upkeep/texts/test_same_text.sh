@@ -39,4 +39,16 @@ for name in plane_distance mix cut_edge clip_at_plane; do
     same $lesson common/pipeline/clip.c $name
 done
 
+# The version, where it stands; and the tasks of each lesson on the page for a semester, with the hours of the map.
+version=$(sed -n 's/^#define COURSE_VERSION "\(.*\)"/\1/p' common/run/options.h)
+grep -q "version $version, 20" README.md || wrong "README.md does not say how to cite version $version"
+sed -n '/^## /{p;q;}' .github/CHANGELOG.md | grep -q "^## $version (" || wrong "CHANGELOG.md does not begin with $version"
+for lesson in step*; do
+    tasks=$(awk -v mode=tasks -f tests/student/marks.awk "$lesson/main.c" |
+        awk -F '\t' '{ printf "%s%s %s", (NR > 1 ? "; " : ""), $1, $2 }')
+    hours=$(sed -n "/href=.$lesson.README/s/.*<td>\([^ ]*\) hours\{0,1\}<.*/\1/p" README.md)
+    row=$(grep "/$lesson/README.md) | " tests/teacher/COURSE.md)
+    [ "${row#*) | }" = "$hours | $tasks |" ] || wrong "COURSE.md says of $lesson: ${row#*) | }, not: $hours | $tasks |"
+done
+
 exit $failed

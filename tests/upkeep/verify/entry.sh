@@ -30,7 +30,7 @@ esac
 # which would take a fifth of the time.
 commands=$work/commands.$(echo "$compiler $flags" | cksum | tr ' ' .)
 if [ ! -s "$commands" ]; then
-    eval "$make $cc CFLAGS='$flags' WERROR= commands" >"$commands.$number" 2>"$place/errors" &&
+    eval "$make --no-print-directory $cc CFLAGS='$flags' WERROR= commands" >"$commands.$number" 2>"$place/errors" &&
         mv "$commands.$number" "$commands" || { cat "$place/errors" >&2 && exit 1; }
 fi
 export CHECK_EXACT=0
