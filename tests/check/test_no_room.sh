@@ -46,6 +46,6 @@ hands_out() {
     umount "$work/disk"
 }
 
-hands_out 280k tests/reference/step01_line
+hands_out 240k tests/reference/step01_line
 hands_out 500k common
 exit $failed

@@ -68,7 +68,7 @@ alike() {
 }
 
 # The same place for both, so that what they say is the same.
-mkdir "$work/course" && cp -R Makefile README.md LICENSE common step* "$work/course" &&
+mkdir "$work/course" && cp -R Makefile README.md LICENSE .gitattributes .gitignore common step* "$work/course" &&
     mkdir "$work/course/tests" && cp -R tests/[!l]* "$work/course/tests" &&
     cp -R tests/lessons tests/*.h "$work/course/tests" && cd "$work/course" || exit 1
 alike tests/student/start.sh start 1

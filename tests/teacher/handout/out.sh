@@ -32,9 +32,15 @@ put() {
     make_room "${2:-$1}" && cp "$1" "$new/${2:-$1}" || fail 1 "cannot write $new/${2:-$1}"
 }
 
-# put_all: the files that standard input names, one a line.
+# put_all: the files that standard input names, one a line, those of one directory together.
 put_all() {
-    tar cf - -T - | (cd "$new" && tar xof -) || fail 1 "cannot write into $new"
+    sort | awk '{ place = $0; if (!sub(/\/[^\/]*$/, "", place)) place = "."
+        if (place != before) printf "%s%s", (NR > 1 ? "\n" : ""), place
+        before = place; printf " %s", $0 } END { if (NR) print "" }' >"$work/places"
+    while read -r place files; do
+        # shellcheck disable=SC2086 # one word a file
+        mkdir -p "$new/$place" && cp $files "$new/$place" || fail 1 "cannot write $new/$place"
+    done <"$work/places"
 }
 
 # put_text MODE LESSON: main.c as starter or solution; where it is one of these already, it is taken

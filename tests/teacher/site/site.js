@@ -62,11 +62,102 @@ function open(link) {
     frame.focus();
 }
 
-for (const link of document.querySelectorAll("a.live")) {
-    link.addEventListener("click", event => {
-        if (!event.ctrlKey && !event.metaKey && !event.shiftKey) {
+document.addEventListener("click", event => {
+    const link = event.target.closest("a.live");
+    if (link !== null && !event.ctrlKey && !event.metaKey && !event.shiftKey) {
+        event.preventDefault();
+        open(link);
+    }
+});
+
+// ---- A lesson as slides, of the same text ----
+
+const main = document.querySelector("main"), slides = element("div");
+let shown = -1; // the number of the slide, or -1
+
+// The sentence that a section begins with.
+function lead(block) {
+    const range = document.createRange(), texts = document.createTreeWalker(block, NodeFilter.SHOW_TEXT);
+    range.selectNodeContents(block);
+    while (texts.nextNode()) {
+        const end = texts.currentNode.data.search(/[.?!:](\s|$)/);
+        if (end >= 0) {
+            range.setEnd(texts.currentNode, end + 1);
+            break;
+        }
+    }
+    return range.cloneContents();
+}
+
+function add(heading, ...content) {
+    const slide = element("section", heading.cloneNode(true), ...content);
+    slide.querySelectorAll("[id]").forEach(part => part.removeAttribute("id"));
+    slides.append(slide);
+}
+
+// What is shown large: a picture, a program, a table; a question comes with its answer.
+const exhibits = "p:has(img), a.live, pre, div.wide, li:has(> details)";
+
+function make_slides() {
+    let heading = null, words = null, count = 0;
+    const end = () => { // a section without anything to show is its heading and sentence
+        if (heading !== null && count === 0) add(heading, words ?? "");
+    };
+    for (const block of main.children) {
+        if (/^H[1-4]$/.test(block.tagName)) {
+            end();
+            [heading, words, count] = [block, null, 0];
+        } else if (heading !== null) {
+            if (words === null && block.tagName === "P" && !block.matches(exhibits)) {
+                words = element("p", lead(block));
+            }
+            const parts = block.matches(exhibits) ? [block] : block.querySelectorAll(exhibits);
+            for (const part of parts) {
+                add(heading, count++ === 0 && words !== null ? words : "",
+                    part.tagName === "LI" ? element("div", ...part.cloneNode(true).childNodes) : part.cloneNode(true));
+            }
+        }
+    }
+    end();
+    slides.id = "slides";
+    main.after(slides);
+}
+
+function show_slide(number) {
+    if (slides.childElementCount === 0) make_slides();
+    shown = Math.max(-1, Math.min(number, slides.childElementCount - 1));
+    document.body.classList.toggle("lecture", shown >= 0);
+    [...slides.children].forEach((slide, i) => slide.classList.toggle("shown", i === shown));
+    history.replaceState(null, "", shown >= 0 ? `#slide=${shown + 1}` : location.pathname);
+    slides.children[shown]?.scrollIntoView();
+}
+
+// The answer comes before the next slide.
+function go_on() {
+    const answer = slides.children[shown].querySelector("details:not([open])");
+    if (answer !== null) answer.open = true;
+    else show_slide(shown + 1);
+}
+
+if (main.querySelector("h2") !== null) {
+    const link = element("a", "Slides");
+    link.href = "#slide=1";
+    document.querySelector("header").prepend(link);
+    const follow = () => {
+        const number = /^#slide=(\d+)$/.exec(location.hash)?.[1];
+        if (number !== undefined) show_slide(number - 1);
+    };
+    addEventListener("hashchange", follow);
+    follow();
+    document.addEventListener("keydown", event => {
+        if (event.ctrlKey || event.metaKey || event.altKey || event.target.matches("input, iframe")) return;
+        const keys = shown < 0 ? {s: () => show_slide(0)} : {
+            ArrowRight: go_on, PageDown: go_on, " ": go_on, ArrowLeft: () => show_slide(Math.max(0, shown - 1)),
+            PageUp: () => show_slide(Math.max(0, shown - 1)), Home: () => show_slide(0),
+            End: () => show_slide(slides.childElementCount - 1), Escape: () => show_slide(-1)};
+        if (keys[event.key] !== undefined) {
             event.preventDefault();
-            open(link);
+            keys[event.key]();
         }
     });
 }
