@@ -34,7 +34,7 @@ put() {
 
 # put_all: the files that standard input names, one a line, those of one directory together.
 put_all() {
-    sort | awk '{ place = $0; if (!sub(/\/[^\/]*$/, "", place)) place = "."
+    sort -u | awk '{ place = $0; if (!sub(/\/[^\/]*$/, "", place)) place = "."
         if (place != before) printf "%s%s", (NR > 1 ? "\n" : ""), place
         before = place; printf " %s", $0 } END { if (NR) print "" }' >"$work/places"
     while read -r place files; do

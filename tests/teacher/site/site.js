@@ -108,7 +108,8 @@ function make_slides() {
             end();
             [heading, words, count] = [block, null, 0];
         } else if (heading !== null) {
-            if (words === null && block.tagName === "P" && !block.matches(exhibits)) {
+            // Neither links to other pages nor a line count.
+            if (words === null && block.tagName === "P" && !block.matches(exhibits) && !/ \| |^.{0,30}$/.test(block.textContent)) {
                 words = element("p", lead(block));
             }
             const parts = block.matches(exhibits) ? [block] : block.querySelectorAll(exhibits);

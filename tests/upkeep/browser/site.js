@@ -189,3 +189,34 @@ test('without scripts the text is there', async () => {
     assert.ok(await page.isVisible('#controls'));
     await context.close();
 });
+
+test('a lesson as slides: by keys, questions with their answers, living pictures, and as a PDF', () =>
+    on(served('step03_triangle/index.html'), desktop, async page => {
+        await page.keyboard.press('s');
+        const count = await page.locator('#slides section').count();
+        const headings = await page.locator('main :is(h1, h2, h3, h4)').count();
+        assert.ok(count >= headings, `${count} slides of ${headings} sections`);
+        const shown = page.locator('#slides section.shown');
+        for (let i = 1; i <= count; i++) { /* nothing is cut, at the size of a projector */
+            assert.equal(await shown.count(), 1);
+            assert.ok(await shown.evaluate(slide => slide.scrollHeight <= slide.clientHeight + 1 &&
+                [...slide.querySelectorAll('img')].every(image => image.getBoundingClientRect().height > 200)), `slide ${i}`);
+            const slide = new URL(page.url()).hash;
+            await page.keyboard.press('ArrowRight');
+            while (slide === new URL(page.url()).hash && i < count) {
+                await page.keyboard.press('ArrowRight'); /* an answer came first */
+            }
+        }
+        assert.equal(new URL(page.url()).hash, `#slide=${count}`);
+        assert.ok(await shown.locator('details[open]').count() > 0);
+        await page.keyboard.press('Home');
+        await page.click('#slides section.shown a.live');
+        assert.equal(await shown.locator('iframe').count(), 1);
+        await page.locator('#slides section.shown h1').click(); /* the keys come back from the frame */
+        await page.keyboard.press('Escape');
+        assert.equal(await page.locator('main').isVisible(), true);
+        await page.goto(served('step08_projection/index.html#slide=3'));
+        assert.equal(await shown.count(), 1);
+        const pdf = await page.pdf({preferCSSPageSize: true});
+        assert.equal((pdf.toString('latin1').match(/\/Type\s*\/Page\b/g) ?? []).length, await page.locator('#slides section').count());
+    }));
