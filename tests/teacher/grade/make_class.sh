@@ -1,7 +1,7 @@
 #!/bin/bash
 # Makes up a class to grade: make_class.sh INTO COUNT LAST
 #
-# INTO/class gets COUNT submissions (at least 36) of lessons 1 to LAST (2 to 9): solutions,
+# INTO/class gets COUNT submissions (at least 40) of lessons 1 to LAST (2 to 9): solutions,
 # starters, mistakes, correct programs written otherwise, three copies of one of those, and hostile
 # ones, some packed.
 # INTO/expected says what each should get, a line each: its name as in class.csv, GRADED or ERROR,
@@ -176,6 +176,26 @@ expect hostile-bomb.tar.gz "ERROR = 0"
 echo "no archive" >"$class/hostile.rar"
 expect hostile.rar "ERROR = 0"
 made=$((made + 4))
+
+# ---- Honest ones, in other layouts ----
+
+# layout NAME FORM ENCODING: each lesson's solution as FORM, where L is its name.
+layout() {
+    for lesson in $lessons; do
+        file="$class/layout-$1/${2//L/$lesson}"
+        mkdir -p "${file%/*}" && iconv -t "$3" "$into/kinds/solution/$lesson/main.c" >"$file" || exit 1
+    done
+    expect "layout-$1" "GRADED = $most"
+    made=$((made + 1))
+}
+layout flat L.c UTF-8
+layout umlaut $'\xdcbung/L/main.c' UTF-8
+layout windows 'L\main.c' UTF-16
+(cd "$class/layout-umlaut" && zip -qr "../layout-packed.zip" .) && mkdir "$class/layout-moodle" &&
+    cp "$class/layout-packed.zip" "$class/layout-moodle" || exit 1
+expect layout-packed.zip "GRADED = $most"
+expect layout-moodle "GRADED = $most"
+made=$((made + 2))
 
 # ---- Everybody else ----
 
