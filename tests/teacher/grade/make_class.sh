@@ -183,7 +183,7 @@ made=$((made + 4))
 layout() {
     for lesson in $lessons; do
         file="$class/layout-$1/${2//L/$lesson}"
-        mkdir -p "${file%/*}" && iconv -t "$3" "$into/kinds/solution/$lesson/main.c" >"$file" || exit 1
+        mkdir -p "${file%/*}" && iconv -f UTF-8 -t "$3" "$into/kinds/solution/$lesson/main.c" >"$file" || exit 1
     done
     expect "layout-$1" "GRADED = $most"
     made=$((made + 1))
