@@ -131,8 +131,7 @@ $(STEPS:%=$(BUILD)/%): $(BUILD)/%: %/main.c $(BUILD)/%.text $(BUILD)/libcommon.a
 # than the program that was built of the one before it.
 $(STEPS:%=$(BUILD)/%.text): $(BUILD)/%.text: force
 	@mkdir -p $(@D)
-	@cat $(filter-out %/figures.c,$(wildcard $*/*.[ch] $*/*/*.[ch])) | cmp -s - $@ || \
-	    cat $(filter-out %/figures.c,$(wildcard $*/*.[ch] $*/*/*.[ch])) >$@
+	@cat $(wildcard $*/*.[ch] $*/*/*.[ch]) | cmp -s - $@ || cat $(wildcard $*/*.[ch] $*/*/*.[ch]) >$@
 
 # ---- What all lessons share ----
 

@@ -58,7 +58,7 @@ diff -r -x '*.svg' -x 'wrong_[0-9][0-9].png' $old/figures $new/figures ||
 
 # ---- A lesson needs no figures and no benchmark ----
 
-rm -rf $new/figures.c $new/figures tests/lessons/$new "build/bench/$new.svg"
+rm -rf $new/figures tests/lessons/$new "build/bench/$new.svg"
 course lesson-figures
 course bench STEP=05
 course charts

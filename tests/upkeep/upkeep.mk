@@ -157,7 +157,7 @@ everything:
 
 # Drawn from main.c as it is, which may be a starter: so into the build directory. Those of the
 # lessons change only by `make lesson-figures`, for a change of a lesson.
-FIGURES = $(patsubst %/figures.c,%,$(wildcard $(CHOSEN:%=%/figures.c)))
+FIGURES = $(patsubst tests/lessons/%/figures.c,%,$(wildcard $(CHOSEN:%=tests/lessons/%/figures.c)))
 .PHONY: $(FIGURES:%=figures-%) $(FIGURES:%=lesson-figures-%)
 figures: $(FIGURES:%=figures-%)
 lesson-figures: $(FIGURES:%=lesson-figures-%)
@@ -170,7 +170,7 @@ $(FIGURES:%=lesson-figures-%): lesson-figures-%: $(BUILD)/figures/% $(BUILD)/mod
 	@mkdir -p $*/figures
 	$(Q)$(BUILD)/figures/$* $*/figures >$(BUILD)/figures/$*.txt && cat $(BUILD)/figures/$*.txt
 
-$(BUILD)/figures/%: %/figures.c $(BUILD)/tests/bench/figures.o $(BUILD)/libcommon.a $(BUILD)/flags
+$(BUILD)/figures/%: tests/lessons/%/figures.c $(BUILD)/tests/bench/figures.o $(BUILD)/libcommon.a $(BUILD)/flags
 	@mkdir -p $(@D)
 	$(SAY) CC $<
 	$(Q)$(COMPILE) -Itests -MF $@.d $< $(BUILD)/tests/bench/figures.o $(BUILD)/libcommon.a -lm -o $@

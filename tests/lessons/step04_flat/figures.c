@@ -1,10 +1,10 @@
 /* The pictures of lesson 4's README that are not references. */
-#include "../tests/bench/figures.h"
+#include "bench/figures.h"
 
 #define LESSON "../step04_flat/main.c"
-#include "../tests/lesson.h"
+#include "lesson.h"
 
-#include "attempts.h"
+#include "../../../step04_flat/attempts.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,10 +1,10 @@
 /* The pictures of lesson 1's README that are not references. */
-#include "../tests/bench/figures.h"
+#include "bench/figures.h"
 
 #define LESSON "../step01_line/main.c"
-#include "../tests/lesson.h"
+#include "lesson.h"
 
-#include "attempts.h"
+#include "../../../step01_line/attempts.h"
 
 static const struct color white = {255, 255, 255, 255};
 static const struct color red = {0, 0, 255, 255};

@@ -1,10 +1,10 @@
 /* The pictures of lesson 10's README that are not references, one of them moving. */
-#include "../tests/bench/figures.h"
+#include "bench/figures.h"
 
 #define LESSON "../step10_phong/main.c"
-#include "../tests/lesson.h"
+#include "lesson.h"
 
-#include "attempts.h"
+#include "../../../step10_phong/attempts.h"
 #include "files/model_file.h"
 #include "files/normals.h"
 #include "files/png.h"

@@ -1,10 +1,10 @@
 /* The pictures of lesson 3's README that are not references. */
-#include "../tests/bench/figures.h"
+#include "bench/figures.h"
 
 #define LESSON "../step03_triangle/main.c"
-#include "../tests/lesson.h"
+#include "lesson.h"
 
-#include "attempts.h"
+#include "../../../step03_triangle/attempts.h"
 
 enum { GRID = 60 }; /* grey level of the lines between enlarged pixels */
 

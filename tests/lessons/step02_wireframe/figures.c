@@ -1,8 +1,8 @@
 /* The pictures of lesson 2's README that are not references. */
-#include "../tests/bench/figures.h"
+#include "bench/figures.h"
 
 #define LESSON "../step02_wireframe/main.c"
-#include "../tests/lesson.h"
+#include "lesson.h"
 
 #include <stdio.h>
 

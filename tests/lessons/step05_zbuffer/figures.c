@@ -1,10 +1,10 @@
 /* The pictures of lesson 5's README that are not references, and the numbers of its tables. */
-#include "../tests/bench/figures.h"
+#include "bench/figures.h"
 
 #define LESSON "../step05_zbuffer/main.c"
-#include "../tests/lesson.h"
+#include "lesson.h"
 
-#include "attempts.h"
+#include "../../../step05_zbuffer/attempts.h"
 #include "files/model_file.h"
 
 #include <stdio.h>

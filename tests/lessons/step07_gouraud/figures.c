@@ -1,10 +1,10 @@
 /* The pictures of lesson 7's README that are not references, and the errors of the spheres. */
-#include "../tests/bench/figures.h"
+#include "bench/figures.h"
 
 #define LESSON "../step07_gouraud/main.c"
-#include "../tests/lesson.h"
+#include "lesson.h"
 
-#include "attempts.h"
+#include "../../../step07_gouraud/attempts.h"
 #include "files/normals.h"
 
 #include <stdio.h>

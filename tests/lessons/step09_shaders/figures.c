@@ -1,8 +1,8 @@
 /* The pictures of lesson 9's README that are not references. */
-#include "../tests/bench/figures.h"
+#include "bench/figures.h"
 
 #define LESSON "../step09_shaders/main.c"
-#include "../tests/lesson.h"
+#include "lesson.h"
 
 #include "files/model_file.h"
 

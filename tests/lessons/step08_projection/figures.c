@@ -1,10 +1,10 @@
 /* The pictures of lesson 8 that are not references. */
-#include "../tests/bench/figures.h"
+#include "bench/figures.h"
 
 #define LESSON "../step08_projection/main.c"
-#include "../tests/lesson.h"
+#include "lesson.h"
 
-#include "attempts.h"
+#include "../../../step08_projection/attempts.h"
 #include "files/model_file.h"
 #include "files/normals.h"
 
