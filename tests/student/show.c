@@ -7,7 +7,7 @@
  * say what counts as wrong in the difference: what the check counts. The title says whether yours
  * is exact; then there is no difference to show. WHICH is a list like yours,difference; where it is
  * empty, all are shown that have room side by side, and yours and the difference at least. KIND is
- * blocks, sixel or kitty; where it is empty, what the terminal can. The last two are image files;
+ * blocks or kitty; where it is empty, what the terminal can. The last two are image files;
  * one that does not exist is left out.
  *
  * As many pictures are side by side as have 50 characters each, the others below. A large one is
@@ -55,7 +55,7 @@ static bool parse_size(const char *text, size_t *size) {
 }
 
 static bool parse_kind(const char *text, enum terminal_kind *kind) {
-    static const char *const names[] = {"blocks", "sixel", "kitty"};
+    static const char *const names[] = {"blocks", "kitty"};
     if (text[0] == '\0') {
         *kind = terminal_find_kind();
         return true;
@@ -100,7 +100,7 @@ static bool parse_arguments(int argc, char **argv, struct options *options, stru
         return error_set(error, "WHICH=%.40s is none of yours,reference,difference", argv[5]);
     }
     return parse_kind(argv[6], &options->kind) ||
-           error_set(error, "KIND=%.40s is none of blocks, sixel, kitty", argv[6]);
+           error_set(error, "KIND=%.40s is none of blocks, kitty", argv[6]);
 }
 
 /* ---- The size of a picture ---- */

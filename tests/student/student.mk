@@ -2,7 +2,7 @@
 ##   make solution STEP=05       bring the lesson's own solution back
 ##   make hint STEP=05           a hint for what is to do, and more each time (TASK=5.2)
 ##   make show STEP=05           the pictures in the terminal, next to the references (SCENE=depth,
-##                               WHICH=yours,reference,difference, KIND=blocks, sixel or kitty)
+##                               WHICH=yours,reference,difference, KIND=blocks or kitty)
 ##   make open STEP=05           the same in the browser, in one page
 ##   make live STEP=05           your program under the mouse, in the browser; each save is drawn
 ##   make watch STEP=05          check and show again at every save, until Ctrl-C

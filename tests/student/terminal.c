@@ -1,9 +1,8 @@
 /*
  * Pictures as bytes that a terminal shows: see terminal.h.
  *
- * Sources: Digital Equipment Corporation, "VT330/VT340 Programmer Reference Manual", volume 2,
- * chapter 14 (sixel); K. Goyal, "Terminal graphics protocol", sw.kovidgoyal.net/kitty (kitty);
- * ECMA-48 and ISO 8613-6 (colours).
+ * Sources: K. Goyal, "Terminal graphics protocol", sw.kovidgoyal.net/kitty (kitty); ECMA-48 and ISO
+ * 8613-6 (colours).
  */
 #define _POSIX_C_SOURCE 200809L
 #include "terminal.h"
@@ -165,101 +164,6 @@ static bool show_kitty(struct bytes *out, const struct bytes *png, size_t column
     return bytes_print(out, "\n");
 }
 
-/* ---- Sixel ---- */
-
-enum {
-    SIDE = 6,                    /* levels of each channel */
-    COLORS = SIDE * SIDE * SIDE, /* of the palette */
-    BAND = 6                     /* rows of pixels that are shown at once */
-};
-
-/* One of the palette's colours, dithered by the pixel's place in squares of 4x4 (B. E. Bayer, "An
- * optimum method for two-level rendition of continuous-tone pictures", 1973). */
-static unsigned palette_index(struct color color, size_t x, size_t y) {
-    static const unsigned bayer[4][4] = {
-        {0, 8, 2, 10}, {12, 4, 14, 6}, {3, 11, 1, 9}, {15, 7, 13, 5}};
-    unsigned threshold = bayer[y % 4][x % 4] * 254 / 15;
-    unsigned r = (color.r * (SIDE - 1U) + threshold) / 255;
-    unsigned g = (color.g * (SIDE - 1U) + threshold) / 255;
-    unsigned b = (color.b * (SIDE - 1U) + threshold) / 255;
-    return (r * SIDE + g) * SIDE + b;
-}
-
-static bool put_palette(struct bytes *out) {
-    for (unsigned i = 0; i < COLORS; i++) {
-        unsigned r = i / (SIDE * SIDE), g = i / SIDE % SIDE, b = i % SIDE; /* to per cent */
-        if (!bytes_print(out, "#%u;2;%u;%u;%u", i, r * 100 / (SIDE - 1), g * 100 / (SIDE - 1),
-                         b * 100 / (SIDE - 1))) {
-            return false;
-        }
-    }
-    return true;
-}
-
-/* The same column `count` times. */
-static bool put_columns(struct bytes *out, unsigned bits, size_t count) {
-    if (count > 3) {
-        return bytes_print(out, "!%zu%c", count, 63 + (int)bits);
-    }
-    while (count-- > 0) {
-        if (!bytes_print(out, "%c", 63 + (int)bits)) {
-            return false;
-        }
-    }
-    return true;
-}
-
-/* The pixels of one colour in a band, whose colours are in `indices` by rows from the top. */
-static bool put_color(struct bytes *out, const unsigned char *indices, size_t width, size_t rows,
-                      unsigned index) {
-    unsigned before = 0;
-    size_t count = 0;
-    bool done = bytes_print(out, "#%u", index);
-    for (size_t x = 0; x < width && done; x++) {
-        unsigned bits = 0;
-        for (size_t row = 0; row < rows; row++) {
-            bits |= indices[row * width + x] == index ? 1U << row : 0;
-        }
-        if (bits != before) {
-            done = put_columns(out, before, count);
-            count = 0;
-        }
-        before = bits;
-        count++;
-    }
-    return done && put_columns(out, before, count) && bytes_print(out, "$");
-}
-
-static bool put_band(struct bytes *out, unsigned char *indices, const struct image *image,
-                     size_t top) {
-    size_t width = image->width, rows = image->height - top < BAND ? image->height - top : BAND;
-    bool used[COLORS] = {false}, done = true;
-    for (size_t row = 0; row < rows; row++) {
-        size_t y = image->height - 1 - top - row;
-        for (size_t x = 0; x < width; x++) {
-            unsigned index = palette_index(image_get(image, (int)x, (int)y), x, y);
-            indices[row * width + x] = (unsigned char)index;
-            used[index] = true;
-        }
-    }
-    for (unsigned i = 0; i < COLORS && done; i++) {
-        done = !used[i] || put_color(out, indices, width, rows, i);
-    }
-    return done && bytes_print(out, "-");
-}
-
-static bool show_sixel(struct bytes *out, const struct image *image) {
-    unsigned char *indices = malloc(image->width * BAND);
-    bool done = indices != NULL &&
-                bytes_print(out, "\033P0;1q\"1;1;%zu;%zu", image->width, image->height) &&
-                put_palette(out);
-    for (size_t top = 0; top < image->height && done; top += BAND) {
-        done = put_band(out, indices, image, top);
-    }
-    free(indices);
-    return done && bytes_print(out, "\033\\\n");
-}
-
 bool terminal_show(struct bytes *out, const struct image *image, enum terminal_kind kind,
                    size_t columns, struct error *error) {
     struct bytes png = {.data = NULL};
@@ -267,9 +171,6 @@ bool terminal_show(struct bytes *out, const struct image *image, enum terminal_k
     switch (kind) {
     case TERMINAL_BLOCKS:
         done = show_blocks(out, image);
-        break;
-    case TERMINAL_SIXEL:
-        done = show_sixel(out, image);
         break;
     case TERMINAL_KITTY:
         done = png_encode(image, &png, error) && show_kitty(out, &png, columns);
@@ -302,20 +203,6 @@ static void read_answer(int terminal, char *answer, size_t size) {
     }
 }
 
-/* Attribute 4 is sixel. */
-static bool names_sixel(const char *answer) {
-    const char *attribute = strstr(answer, attributes);
-    attribute = attribute != NULL ? strchr(attribute, '?') : NULL;
-    while (attribute != NULL) {
-        char *end;
-        if (strtol(attribute + 1, &end, 10) == 4 && (*end == ';' || *end == 'c')) {
-            return true;
-        }
-        attribute = strchr(attribute + 1, ';');
-    }
-    return false;
-}
-
 /* Ask with signals held back, so that the terminal is always left as it was. */
 static void ask(int terminal, char *answer, size_t size) {
     struct termios before, silent;
@@ -335,13 +222,6 @@ static void ask(int terminal, char *answer, size_t size) {
         tcsetattr(terminal, TCSANOW, &before);
     }
     sigprocmask(SIG_SETMASK, &signals, NULL);
-}
-
-static enum terminal_kind kind_of_answer(const char *answer) {
-    if (strstr(answer, can_kitty) != NULL) {
-        return TERMINAL_KITTY;
-    }
-    return names_sixel(answer) ? TERMINAL_SIXEL : TERMINAL_BLOCKS;
 }
 
 static bool begins_with(const char *text, const char *beginning) {
@@ -369,5 +249,5 @@ enum terminal_kind terminal_find_kind(void) {
         ask(terminal, answer, sizeof answer);
         close(terminal);
     }
-    return kind_of_answer(answer);
+    return strstr(answer, can_kitty) != NULL ? TERMINAL_KITTY : TERMINAL_BLOCKS;
 }

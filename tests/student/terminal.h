@@ -11,13 +11,12 @@
 
 enum terminal_kind {
     TERMINAL_BLOCKS, /* two pixels a character, in as many colours as the environment names */
-    TERMINAL_SIXEL,  /* DEC's graphics: xterm -ti vt340, foot, mlterm, WezTerm, ... */
     TERMINAL_KITTY   /* the graphics protocol of kitty, which Ghostty and others know, too */
 };
 
 /* What the terminal of this process can show: kitty by TERM, KITTY_WINDOW_ID or the answer of the
- * terminal, which is asked; sixel when its attributes name that; blocks when it does not answer
- * within 0.3 seconds, or standard output is no terminal. */
+ * terminal, which is asked; otherwise blocks, also when it does not answer within 0.3 seconds, or
+ * standard output is no terminal. */
 enum terminal_kind terminal_find_kind(void);
 
 /* Append the image. `columns` is how many characters of a line it takes; only kitty asks for it.

@@ -226,7 +226,7 @@ says 'make show: there is no step "77"'
 make_show 1 STEP=01 WHICH=mine
 says 'show: WHICH=mine is none of yours,reference,difference'
 make_show 1 STEP=01 WHICH=yours KIND=paper
-says 'show: KIND=paper is none of blocks, sixel, kitty'
+says 'show: KIND=paper is none of blocks, kitty'
 
 # A terminal of 50 lines and 160 columns is filled; one that does not know its size is taken for 24
 # lines of 80, and shows one picture below the other.

@@ -116,22 +116,6 @@ static void test_characters(void) {
     image_free(&image);
 }
 
-/* Row by row from the top, six at a time: a column is a character, the top pixel its lowest bit. */
-static void test_sixel(void) {
-    struct image image = make(5, 7);
-    struct bytes out = {.data = NULL};
-    image_clear(&image, color_rgb(255, 255, 255));
-    image_set(&image, 0, 6, color_rgb(255, 0, 0)); /* the top-left pixel */
-    image_set(&image, 4, 0, color_rgb(0, 0, 0));   /* the bottom-right one, in the second band */
-    const char *text = shown(&out, &image, TERMINAL_SIXEL);
-    CHECK(strncmp(text, "\033P0;1q\"1;1;5;7#0;2;0;0;0#1;2;0;0;20", 35) == 0);
-    CHECK(strstr(text, "#215;2;100;100;100") != NULL && strstr(text, "#180;2;100;0;0") != NULL);
-    const char *pixels = strstr(text, "#215;2;100;100;100") + strlen("#215;2;100;100;100");
-    CHECK_TEXT(pixels, "#180@!4?$#215}!4~$-#0!4?@$#215!4@?$-\033\\\n");
-    bytes_free(&out);
-    image_free(&image);
-}
-
 /* The pieces, put together again, are the PNG file. */
 static void test_kitty(void) {
     struct image image = make(90, 60);
@@ -216,14 +200,11 @@ static void test_kind(void) {
         const char *term, *answer;
         enum terminal_kind kind;
     } cases[] = {
-        {"xterm-256color", "\033[?62;4;22c", TERMINAL_SIXEL},
-        {"xterm-256color", "\033[?4c", TERMINAL_SIXEL},
         {"xterm-256color", "\033[?64;1;2;6;22c", TERMINAL_BLOCKS},
         {"xterm-256color", "\033[?62;14;44c", TERMINAL_BLOCKS},
         {"xterm-256color", "\033_Gi=31;OK\033\\\033[?62;c", TERMINAL_KITTY},
         {"xterm-256color", "\033_Gi=31;OK\033\\\033[?62;4c", TERMINAL_KITTY},
         {"xterm-256color", "\033_Gi=31;EINVAL:cannot?4c\033\\\033[?62;22c", TERMINAL_BLOCKS},
-        {"xterm-256color", "\033_Gi=31;EINVAL:cannot\033\\\033[?62;4c", TERMINAL_SIXEL},
         {"xterm-256color", "", TERMINAL_BLOCKS}, /* no answer: it does not wait for ever */
         {"xterm-256color",
          "qqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqq"
@@ -244,4 +225,4 @@ static void test_kind(void) {
 }
 
 UNIT_MAIN(TEST(test_base64), TEST(test_blocks), TEST(test_fewer_colors), TEST(test_characters),
-          TEST(test_sixel), TEST(test_kitty), TEST(test_kind))
+          TEST(test_kitty), TEST(test_kind))
