@@ -33,7 +33,10 @@ for file in "$old"/*; do
 done
 { cat scenes.txt; renamed scenes.txt; } >tests/check/scenes.txt
 cp -R tests/reference/$old tests/reference/$new
-mkdir tests/lessons/$new && renamed tests/lessons/$old/bench.c >tests/lessons/$new/bench.c
+mkdir tests/lessons/$new || exit 1
+for file in bench.c figures.c; do
+    renamed tests/lessons/$old/$file >tests/lessons/$new/$file
+done
 
 # ---- It is drawn, checked, measured, and its other pictures are drawn ----
 

@@ -80,6 +80,7 @@ paths_are_there() {
             done
     done
 }
+cd "$top" || exit 1
 hand_out "$work/three" 1-3 || wrong "LESSONS=1-3 fails: $(cat "$work/log")"
 hand_out "$work/all" '' || wrong "make handout fails: $(cat "$work/log")"
 for out in one three all; do

@@ -6,9 +6,8 @@
 said=$work/said && : >"$said"
 
 mkdir -p "$work/course/tests/reference" && cd "$work/course" || exit 1
-cp -R "$top/Makefile" "$top/README.md" "$top/LICENSE" "$top/common" . &&
+cp -R "$top/Makefile" "$top/README.md" "$top/LICENSE" "$top"/.gitattributes "$top/.gitignore" "$top/common" . &&
     cp -R "$top/step01_line" "$top/step04_flat" . || exit 1
-mkdir -p step10_phong/figures && cp "$top/step10_phong/figures/turn.png" step10_phong/figures
 (cd "$top/tests" && tests=$work/course/tests &&
     cp -R check student teacher upkeep "$tests" &&
     cp -R reference/step0[1-4]_* "$tests/reference" &&
