@@ -463,6 +463,7 @@ static enum run_end watch(const struct run_command *command, pid_t id,
                           struct stream streams[STREAMS]) {
     double start = run_now(), next_count = start + COUNT_MS / 1000.0;
     double used = 0, last_used = start; /* seconds of processors, and when they last grew */
+    bool ran = false;                   /* at the last count */
     while (!has_ended(id)) {
         double time = run_now();
         if (run_caught_signal() != 0) {
@@ -470,6 +471,9 @@ static enum run_end watch(const struct run_command *command, pid_t id,
         }
         if (time > next_count) {
             struct group group = measure_group(id);
+            bool runs = group.runs;
+            group.runs = runs || ran; /* it may wait for its file just now */
+            ran = runs;
             last_used = group.seconds != used ? time : last_used;
             used = group.seconds;
             enum run_end end = is_out_of_time(command, &group, time - start, time - last_used)
