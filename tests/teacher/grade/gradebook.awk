@@ -79,10 +79,7 @@ function submission_of(count,    kind, i, n, key, found, sum) {
                     found = names[n]
                 }
         }
-        if (sum == 1) {
-            for (n = 1; n <= name_count; n++) if (person(names[n]) == person(found)) taken[names[n]] = 1
-            return found
-        }
+        if (sum == 1) return found
         if (sum > 1) return ""
     }
     return ""
@@ -108,19 +105,25 @@ END {
     }
     if (!goal && column == "" && title[columns] ~ /\([0-9]+\)$/) goal = columns # an assignment of Canvas
     if (!goal) title[goal = ++columns] = column == "" ? "Points" : column
-    for (first = 1; first || next_row(); first = 0) {
-        if (!first) {
-            read_fields(row, field)
-            name = submission_of(columns)
-            if (name != "") {
+    for (count = 0; next_row(); rows_of[person(whose[count])]++) {
+        text[++count] = row
+        read_fields(row, field)
+        whose[count] = submission_of(columns)
+    }
+    for (r = 0; r <= count; r++) { # the first is the heading
+        if (r > 0) {
+            read_fields(text[r], field)
+            name = whose[r]
+            if (name != "" && rows_of[person(name)] == 1) { # and not two people's
+                taken[person(name)] = 1
                 share = field[maximum] + 0 > 0 && title[goal] == "Grade" ? field[maximum] / total_most() : 1
                 field[goal] = sprintf("%.2f", total(name) * share)
                 sub(/\.?0+$/, "", field[goal])
                 if (field[goal] == "") field[goal] = 0
             }
         }
-        for (i = 1; i <= columns; i++) printf "%s%s", (i > 1 ? "," : ""), quoted(first ? title[i] : field[i])
+        for (i = 1; i <= columns; i++) printf "%s%s", (i > 1 ? "," : ""), quoted(r == 0 ? title[i] : field[i])
         printf "\n"
     }
-    for (n = 1; n <= name_count; n++) if (!(names[n] in taken)) print names[n] > others
+    for (n = 1; n <= name_count; n++) if (!(person(names[n]) in taken)) print names[n] > others
 }

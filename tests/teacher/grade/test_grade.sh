@@ -176,12 +176,15 @@ Identifier,Full name,Email address,Grade,Maximum Grade,Feedback
 Participant 7,"Sol, ""A""",solution@x.org,,100.00,"two
 lines, with a comma"
 Participant 8,Nobody,stor@x.org,12,100.00,
+Participant 9,starter,one@x.org,,100.00,
+Participant 10,starter,two@x.org,,100.00,
 END
 # shellcheck disable=SC2086
 make -s grade-merge $flags OUT=../out ROSTER=../moodle.csv >"$work/said" 2>&1 || wrong "with a roster: $(cat "$work/said")"
 printf '%s\n' 'Identifier,Full name,Email address,Grade,Maximum Grade,Feedback' \
     'Participant 7,"Sol, ""A""",solution@x.org,100,100.00,"two' 'lines, with a comma"' \
-    'Participant 8,Nobody,stor@x.org,12,100.00,' | diff - ../out/gradebook.csv || wrong "Moodle's table"
+    'Participant 8,Nobody,stor@x.org,12,100.00,' 'Participant 9,starter,one@x.org,,100.00,' \
+    'Participant 10,starter,two@x.org,,100.00,' | diff - ../out/gradebook.csv || wrong "Moodle's table"
 for name in a%20b starter stored; do
     grep -qx "    $name" "$work/said" || wrong "does not say that $name is nobody's"
 done
