@@ -43,8 +43,9 @@ static double median(double *values, size_t value_count) {
 /* ---- Scenes ---- */
 
 static bool is_chosen(const struct options *options, const struct scene *scene) {
-    bool of_another = options->input_count > 0 && scene->detail && !options->details;
-    return options->only == NULL ? !scene->extra && !of_another : options->only == scene;
+    bool of_another = options->input_count > 0 && scene->detail;
+    return options->only != NULL ? options->only == scene
+                                 : options->all || (!scene->extra && !of_another);
 }
 
 static bool same_point(struct vec3 a, struct vec3 b) {
@@ -453,7 +454,7 @@ static void warn_of_details(const struct run *run) {
     const struct program *program = run->options.program;
     char names[256] = "";
     const struct options *options = &run->options;
-    bool chosen = options->input_count > 0 && options->only == NULL && !options->details;
+    bool chosen = options->input_count > 0 && options->only == NULL && !options->all;
     for (size_t i = 0; chosen && i < program->scene_count; i++) {
         const struct scene *scene = &program->scenes[i];
         if (scene->detail && !scene->extra) {
@@ -461,7 +462,7 @@ static void warn_of_details(const struct run *run) {
         }
     }
     if (names[0] != '\0') {
-        fprintf(stderr, "%s: left out, as details of the course's own model (--details)%s\n",
+        fprintf(stderr, "%s: left out, as details of the course's own model (--only all)%s\n",
                 program->name, names);
     }
 }

@@ -32,6 +32,11 @@ static bool parse_format(const char *value, void *field) {
 
 static bool parse_scene(const char *value, void *field) {
     struct options *options = field;
+    options->all = strcmp(value, "all") == 0;
+    if (options->all) {
+        options->only = NULL;
+        return true;
+    }
     for (size_t i = 0; i < options->program->scene_count; i++) {
         if (strcmp(options->program->scenes[i].name, value) == 0) {
             options->only = &options->program->scenes[i];
@@ -176,7 +181,8 @@ static const struct option {
 } options_known[] = {
     {"-o", "DIR", "a directory", "where the images go", FIELD(directory), parse_path, ALWAYS},
     {"-s", "WxH", "WxH" SIZES, "image size" SIZES, FIELD(size), parse_size, ALWAYS},
-    {"--only", "SCENE", "a scene", "draw just this scene", 0, parse_scene, ALWAYS},
+    {"--only", "SCENE", "a scene or all", "draw just this scene; all: those besides, too", 0,
+     parse_scene, ALWAYS},
     {"--format", "F", "a format" FORMATS, "of the images" FORMATS, FIELD(format), parse_format,
      ALWAYS},
     {"--turn", "X,Y,Z", "three whole numbers X,Y,Z",
@@ -185,8 +191,6 @@ static const struct option {
     {"--two-sided", "", "", "draw the faces of the model from both sides", FIELD(two_sided),
      parse_switch, WITH_MODEL},
     {"--fit", "", "", "move and scale the model into view", FIELD(fit), parse_switch, WITH_MODEL},
-    {"--details", "", "", "draw a model also where the course's own is seen from near",
-     FIELD(details), parse_switch, WITH_MODEL},
     {"--texture", "FILE", "a file", "the colours, instead of those next to the model",
      FIELD(textures[MODEL_DIFFUSE]), parse_path, NEEDS_DIFFUSE},
     {"--normal-map", "FILE", "a file", "the normals, too", FIELD(textures[MODEL_NORMAL_MAP]),

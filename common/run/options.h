@@ -51,7 +51,7 @@ struct options {
     const char *input[MODELS_LIMIT]; /* models, or a text scene; NULL behind the last */
     size_t input_count;
     const char *directory;    /* NULL for the default */
-    const struct scene *only; /* NULL for all scenes */
+    const struct scene *only; /* NULL for several: with `all`, those besides, too */
     struct size_option size;
     const struct image_file_format *format;
     struct vec3_option eye, center, up, light;
@@ -62,7 +62,7 @@ struct options {
     size_t repeat; /* 0 without --repeat */
     struct pixel_option probe;
     size_t frame; /* 1 and on, of an animation; 0 without --frame */
-    bool fit, two_sided, details, stats, no_skip, live, help;
+    bool fit, two_sided, all, stats, no_skip, live, help;
 };
 
 /* What one scene needs or another. */

@@ -32,7 +32,7 @@ check: $(MODEL) $(BUILD)/check $(HIDDEN:%=$(BUILD)/hidden) $(if $(MAKE_TERMOUT),
 $(STEPS:%=$(BUILD)/sanitized/%): $(BUILD)/sanitized/%: %/main.c $(BUILD)/%.text \
                                                        $(BUILD)/quick/libcommon.a $(BUILD)/flags
 	@mkdir -p $(@D)
-	$(call BUILD_LESSON,$(SANITIZED))
+	$(call BUILD_LESSON,$(SANITIZED),,trials)
 
 # A lesson's functions called with numbers; the sanitizers know more of what ends them. (-O0 builds
 # fastest; gcc 12 cannot build vectors of doubles with it.) NAME.tried is never there: to make it is

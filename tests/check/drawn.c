@@ -48,10 +48,8 @@ bool drawn_run(const char *programs, const char *step, const char *directory, co
     if (output != NULL) {
         arguments[count++] = "--stats";
     }
-    if (scene[0] != '\0') {
-        arguments[count++] = "--only";
-        arguments[count++] = scene;
-    }
+    arguments[count++] = "--only";
+    arguments[count++] = scene[0] != '\0' ? scene : "all";
     struct run_command command = {.arguments = arguments,
                                   .directory = directory,
                                   .output = output,

@@ -28,7 +28,7 @@ is_exact() {
 
 # draw STEP: every picture of the table into $work/STEP; or it says which is missing.
 draw() {
-    mkdir "$work/$1" && "$build/quick/$1" --format png -o "$work/$1" >"$work/said" 2>&1 || return
+    mkdir "$work/$1" && "$build/quick/$1" --only all --format png -o "$work/$1" >"$work/said" 2>&1 || return
     for scene in $scenes; do
         [ -f "$work/$1/$scene.png" ] || { echo "$scene: missing" >"$work/said" && return 1; }
     done

@@ -75,7 +75,7 @@ draw() {
     only=
     ! scenes_in_order | grep -qxF -e "$scene" || only=$scene
     mkdir -p "$out" && forget_pictures || fail 1 "cannot write into $out"
-    limited "$build/quick/$lesson" -o "$out" ${only:+--only "$only"} >/dev/null
+    limited "$build/quick/$lesson" -o "$out" --only "${only:-all}" >/dev/null
     status=$?
     if [ $status -ne 0 ]; then
         printf '%s\n' "make $target: $lesson $(how_it_ended $status)" >&2

@@ -29,9 +29,15 @@ show: $(BUILD)/show $(SHOWN)
 	$(END_LINE)
 	@sh tests/student/show.sh '$(BUILD)' '$(STEP)' '$(SCENE)' '$(WHICH)' '$(KIND)'
 
-live: $(BUILD)/live $(SHOWN)
+live: $(BUILD)/live $(SHOWN:$(BUILD)/quick/%=$(BUILD)/moving/%)
 	$(END_LINE)
 	@sh tests/student/live.sh '$(BUILD)' '$(MAKE) -s $(KNOWN)' '$(STEP)' '$(MODEL)'
+
+# The same program with what the page lets be changed, and what it says of a pixel.
+$(STEPS:%=$(BUILD)/moving/%): $(BUILD)/moving/%: %/main.c $(BUILD)/%.text $(BUILD)/quick/libcommon.a \
+                                                 $(BUILD)/flags
+	@mkdir -p $(@D)
+	$(call BUILD_LESSON,$(QUICK) $(LESSON_FLAGS),$(LESSON_OBJECTS),live)
 
 $(BUILD)/live: $(patsubst %.c,$(BUILD)/%.o,$(wildcard tests/student/live/*.c)) $(CHECKER) \
                $(BUILD)/quick/libcommon.a
@@ -73,9 +79,10 @@ ifeq ($(wildcard step01_line/mine.c)$(wildcard step03_triangle/mine.c),)
 $(error LINE=mine draws with what you wrote in lessons 1 and 3, which are not here)
 endif
 LESSON_OBJECTS = $(patsubst %/mine.c,$(BUILD)/mine/%.o,$(wildcard step*/mine.c))
-$(STEPS:%=$(BUILD)/%) $(STEPS:%=$(BUILD)/quick/%): $(LESSON_OBJECTS)
-$(foreach n,2 3,$(BUILD)/step0$(n)% $(BUILD)/quick/step0$(n)%): LESSON_FLAGS = -DLINE_IS_MINE -Wno-unused-function
-$(foreach n,4 5 6 7 8,$(BUILD)/step0$(n)% $(BUILD)/quick/step0$(n)%): LESSON_FLAGS = -Dedges_setup=my_triangle_setup \
+MADE_OF_MINE = $(foreach room,/ /quick/ /moving/,$(foreach n,$(1),$(BUILD)$(room)step0$(n)%))
+$(foreach room,/ /quick/ /moving/,$(STEPS:%=$(BUILD)$(room)%)): $(LESSON_OBJECTS)
+$(call MADE_OF_MINE,2 3): LESSON_FLAGS = -DLINE_IS_MINE -Wno-unused-function
+$(call MADE_OF_MINE,4 5 6 7 8): LESSON_FLAGS = -Dedges_setup=my_triangle_setup \
                                                            -Dedges_span=my_triangle_span
 $(BUILD)/mine/%.o: %/mine.c %/main.c $(BUILD)/%.text $(BUILD)/flags
 	@mkdir -p $(@D)

@@ -171,7 +171,7 @@ cat >build/quick/step05_zbuffer <<'EOF'
 #!/bin/sh
 [ "$1 $2" = '-o build/out/step05_zbuffer' ] || exit 2
 for scene in first bad last; do
-    if [ -z "$3" ] || [ "$3 $4" = "--only $scene" ]; then
+    if [ "$3 $4" = '--only all' ] || [ "$3 $4" = "--only $scene" ]; then
         if [ $scene = bad ]; then eval "$(cat bad)"; fi
         cp grey.tga "$2/$scene.tga"
     fi

@@ -32,7 +32,7 @@ $(BUILD)/hidden: $(BUILD)/tests/teacher/hidden/hidden.o $(CHECKER) $(BUILD)/quic
 
 # A solution, built with what is there. (It has no .d: make would take that for a program to build.)
 $(BUILD)/hidden.% $(BUILD)/solutions/%: force
-	$(Q)$(filter-out -MMD -MP,$(COMPILE)) $(QUICK) -I$(@F) -c $(@D)/main.c -o $@.o
+	$(Q)$(filter-out -MMD -MP,$(COMPILE)) $(QUICK) -I$(@F) -c $(call WITH_MORE,$(@D)/main.c,trials,$(@F)) -o $@.o
 	$(Q)$(LINK) $@.o $(BUILD)/quick/libcommon.a -lm -o $@
 
 # ---- A class ----
@@ -61,17 +61,18 @@ $(BUILD)/limited: $(BUILD)/tests/teacher/grade/limited.o $(CHECKER) $(BUILD)/qui
 	$(Q)$(LINK) $^ -lm -o $@
 
 # A lesson of a submission: compiled and linked where it can do no harm, in PLACE/STEP. What calls its
-# functions with numbers is PLACE/numbers/STEP; of our tests the compiler sees only copies there.
+# functions with numbers is PLACE/numbers/STEP; of our tests the compiler sees only copies, in PLACE/ours.
 PLACE     = $(patsubst %/numbers,%,$(@D))
 HANDED_IN = $(PLACE)/sources/$(@F)/main.c
+JUDGED_BY = $(if $(filter %/numbers,$(@D)),numbers,trials).c
 CONTAINED = CONTAIN_WRITES='$(abspath $(PLACE))' sh tests/teacher/grade/contain.sh
 $(BUILD)/grade.%.tried: # a class keeps all processors busy: each program when its turn comes
 	@:
 $(BUILD)/grade.%: force
 	@[ -f $(HANDED_IN) ] || { echo 'error: no $(@F)/main.c was handed in' >&2; exit 1; }
-	@[ $(PLACE) = $(@D) ] || { mkdir -p $(@D) && chmod 777 $(@D) && \
-	    cp tests/*.h tests/lessons/$(@F)/numbers.c $(@D); }
-	$(Q)$(CONTAINED) $(filter-out -MMD -MP,$(COMPILE)) $(TEACHES) -I$(@F) $(if $(filter %/numbers,$(@D)), \
-	    -O0 -w -I$(@D) -DLESSON='"$(abspath $(HANDED_IN))"' -c $(@D)/numbers.c, \
-	    $(QUICK) -c $(HANDED_IN)) -o $@.o
+	@mkdir -p $(PLACE)/ours && cp tests/*.h tests/lessons/$(@F)/$(JUDGED_BY) $(PLACE)/ours
+	@[ $(PLACE) = $(@D) ] || { mkdir -p $(@D) && chmod 777 $(@D); }
+	$(Q)$(CONTAINED) $(filter-out -MMD -MP,$(COMPILE)) $(TEACHES) -I$(@F) -I$(PLACE)/ours \
+	    $(if $(filter numbers%,$(JUDGED_BY)),-O0 -w,$(QUICK)) -DLESSON='"$(abspath $(HANDED_IN))"' \
+	    -c $(PLACE)/ours/$(JUDGED_BY) -o $@.o
 	$(Q)$(CONTAINED) $(LINK) $@.o $(BUILD)/quick/libcommon.a -lm -o $@

@@ -95,7 +95,8 @@ marked:
 	    exit 1; }; done
 
 test: marked $(UNITS) $(KINDS:%=$(BUILD)/tests/%) $(REPLAYS) $(BUILD)/check $(BUILD)/looks_make $(BUILD)/figure_make \
-      $(BUILD)/show $(BUILD)/compare_page $(BUILD)/hidden $(BUILD)/limited programs models
+      $(BUILD)/show $(BUILD)/compare_page $(BUILD)/hidden $(BUILD)/limited programs models \
+      $(STEPS:%=$(BUILD)/quick/%) $(patsubst %,$(BUILD)/moving/%,$(filter step01_% step05_%,$(STEPS)))
 	@CHECK_PROGRAMS=$(BUILD) sh tests/upkeep/run_tests.sh $(SCRIPTS) $(UNITS) $(KINDS:%=$(BUILD)/tests/%)
 
 # Programs besides the lessons, for a compiler to find fault with.

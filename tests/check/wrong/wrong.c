@@ -98,7 +98,8 @@ static void witness(const char *format, long number) {
 
 /* ---- The programs ---- */
 
-/* The program's arguments: `-o DIRECTORY`, then perhaps --stats, `--only SCENE` or what is new. */
+/* The program's arguments: `-o DIRECTORY`, perhaps --stats, `--only all` or `--only SCENE`, or what
+ * is new. */
 struct task {
     const char *directory;
     const char *only; /* NULL: all */
@@ -439,13 +440,14 @@ static int draw(const struct task *task, const char *kinds) {
 
 int main(int argc, char **argv) {
     const char *name = strrchr(argv[0], '/');
-    struct task task = {.is_more = argc > 3};
+    struct task task = {.only = NULL};
     for (int i = 1; i < argc; i++) {
         const char *value = i + 1 < argc ? argv[i + 1] : NULL;
         task.directory = strcmp(argv[i], "-o") == 0 ? value : task.directory;
-        task.only = strcmp(argv[i], "--only") == 0 ? value : task.only;
+        task.only = strcmp(argv[i], "--only") == 0 && strcmp(value, "all") != 0 ? value : task.only;
         task.stats |= strcmp(argv[i], "--stats") == 0;
     }
+    task.is_more = task.only != NULL || argc > 5;
     if (name == NULL || task.directory == NULL) {
         return 2;
     }

@@ -165,6 +165,8 @@ static void pile_find_nearest(struct pile *pile) {
 
 /* ---- Several ways to decide ---- */
 
+enum { DEPTH_BUFFER, FILE_ORDER, PAINTER };
+
 static void run_knot(struct bench_choice choice) {
     const struct pile *pile = &bench.piles[PILE_KNOT];
     struct canvas canvas = {.image = &bench.image, .depth = bench.buffer};

@@ -3,7 +3,7 @@
  *
  *     live BUILD MAKE STEP [MODEL]       STEP is step05_zbuffer; in the course's directory
  *
- * Behind the page runs BUILD/quick/STEP --live; MAKE builds it again at every save of the lesson's
+ * Behind the page runs BUILD/moving/STEP --live; MAKE builds it again at every save of the lesson's
  * sources. What compiler, crash or sanitizer say is shown in the page. Nobody but one page on this
  * machine, which knows the address, gets an answer; a minute after the last of its questions, or
  * with Ctrl-C, this program ends.
@@ -91,7 +91,7 @@ static bool is_done(const struct run_result *result) {
 static void build(struct live *live) {
     struct run_result result = {.end = RUN_EXITED};
     struct error error;
-    bool done = run_make(live, path_of(live, "quick/").text, &result, &error);
+    bool done = run_make(live, path_of(live, "moving/").text, &result, &error);
     live->version++;
     if (!done) {
         set_message(live, error.message);
@@ -163,7 +163,7 @@ static bool start_child(struct live *live, struct error *error) {
         return true;
     }
     live->description.size = 0;
-    return child_start(&live->child, path_of(live, "quick/").text, live->model, said.text,
+    return child_start(&live->child, path_of(live, "moving/").text, live->model, said.text,
                        &live->description, error) &&
            bytes_append(&live->description, "", 1);
 }

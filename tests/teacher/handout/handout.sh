@@ -51,7 +51,8 @@ put_lesson() {
     put_text starter "$1"
     cp "$new/$1/main.c" "$new/tests/student/starters/$1.c" || fail 1 "cannot write $new/tests"
     for file in "$1"/scenes.h "$1"/extra_*.h "$1"/mine.c "$1"/opengl.c "$1"/attempts.h "$1"/hints.txt \
-        "$1"/figures/* tests/reference/"$1"/*; do
+        "$1"/figures/* tests/reference/"$1"/* \
+        tests/lessons/"$1"/numbers.c tests/lessons/"$1"/trials.c tests/lessons/"$1"/live.c; do
         [ ! -f "$file" ] || echo "$file"
     done >"$work/files"
     put_all <"$work/files"
@@ -83,7 +84,7 @@ programs="tests/check/check.c tests/student/show.c tests/student/compare_page.c 
 # shellcheck disable=SC2046,SC2086 # one word a file
 awk -f tests/teacher/handout/needs.awk \
     $(find common tests/check tests/student -name '*.[ch]' ! -name 'test_*' | sort) = \
-    $programs "$new"/step*/*.[ch] >"$work/needed" || fail 1 "cannot find out what the lessons need"
+    $programs "$new"/step*/*.[ch] "$new"/tests/lessons/*/*.c >"$work/needed" || fail 1 "cannot find out what the lessons need"
 put_all <"$work/needed"
 # shellcheck disable=SC2046 # one word a file
 put_changed "$without_later_sections" $(grep '^common/' "$work/needed")
@@ -94,7 +95,6 @@ put_changed "$without_later_sections" $(grep '^common/' "$work/needed")
         ! -name 'test_*' ! -name 'try_*' ! -name 'mark*' ! -name start.sh ! -name references.sh
     for lesson in $lessons; do
         [ ! -d "tests/lessons/$lesson/looks" ] || find "tests/lessons/$lesson/looks" -type f
-        [ ! -f "tests/lessons/$lesson/numbers.c" ] || echo "tests/lessons/$lesson/numbers.c"
     done
 } >"$work/others"
 put_all <"$work/others"
@@ -105,6 +105,7 @@ put_changed '
     { print >out }' tests/check/scenes.txt
 put tests/lesson.h
 put tests/numbers.h
+put tests/more_scenes.h
 ! grep -qs lane_numbers.h "$new"/tests/lessons/*/numbers.c || put tests/lane_numbers.h
 [ ! -f "$new/common/pipeline.h" ] || put tests/student/new.c # which draws with it
 for file in LICENSE Makefile .gitattributes .gitignore; do

@@ -128,8 +128,9 @@ static void tell_all(struct told *told, const struct hidden_case *hidden_case, u
     struct random random = {seed};
     told->count = 0;
     told->list[0] = NULL;
-    if (step >= 8) {
-        tell(told, "--details");
+    if (step >= 2 && step != 3) {
+        tell(told, "--only");
+        tell(told, "all");
     }
     if (hidden_case->size) {
         int width = random_between(&random, FIRST_SIZE, LAST_SIZE);

@@ -77,11 +77,14 @@ for lesson in $lessons; do
     names="$names X($lesson)"
     main=$lesson/main.c
     find_marked
-    text solution "$work/marked" "$main" >"$work/$lesson.c" || fail 1 "no solution of $lesson"
+    text solution "$work/marked" "$main" >"$work/$lesson.c" &&
+        cat "tests/lessons/$lesson/live.c" >"$work/$lesson.live.c" 2>/dev/null ||
+        cp "$work/$lesson.c" "$work/$lesson.live.c" || fail 1 "no solution of $lesson"
 done
 # shellcheck disable=SC2086 # several words
-printf '%s\n' $lessons | xargs -P "$(getconf _NPROCESSORS_ONLN)" -I LESSON \
-    $compile -w -ILESSON -Dmain=LESSON_main -c "$work/LESSON.c" -o "$work/LESSON.o" &&
+printf '%s\n' $lessons | xargs -P "$(getconf _NPROCESSORS_ONLN)" -I @ \
+    $compile -w -I@ -Itests -Itests/lessons/@ -Dmain=@_main -DMORE_MAIN=@_main "-DLESSON=\"$work/@.c\"" \
+    -c "$work/@.live.c" -o "$work/@.o" &&
     $compile -mexec-model=reactor "-DLESSONS(X)=$names" -o "$work/program" \
         -Wl,--stack-first,-z,stack-size=1048576,-s,--wrap=live_loop,--wrap=file_read,--wrap=file_exists \
         -Wl,--export=start,--export=answer,--allow-undefined \

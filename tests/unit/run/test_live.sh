@@ -5,7 +5,7 @@
 
 # answers PROGRAM: to what standard input asks; in $work/answer, without the description.
 answers() {
-    "$build/$1" --live >"$work/all" 2>"$work/errors" || wrong "$1 fails: $(cat "$work/errors")"
+    "$build/moving/$1" --live >"$work/all" 2>"$work/errors" || wrong "$1 fails: $(cat "$work/errors")"
     head -n 1 "$work/all" | grep -q "^{\"program\":\"$1\",.*}$" || wrong "$1 is not described"
     tail -c +$(($(head -n 1 "$work/all" | wc -c) + 1)) "$work/all" >"$work/answer"
 }
@@ -25,7 +25,7 @@ head=$(head -n 1 "$work/answer" | wc -c)
 
 # Each line is answered, also a wrong one, and a text scene between two marks.
 printf '%s\n' '--only nothing' '--live' 'model.obj' '--only pixel text' 'line 1 2 3 x 1 1 1' end '' | answers step01_line
-has 1 "error --only wants a scene: pixel, line, octants, ties, far, list, gradient, wide, high, small, one_pixel, not 'nothing'"
+has 1 "error --only wants a scene or all: pixel, line, octants, ties, far, list, gradient, wide, high, small, one_pixel, not 'nothing'"
 has 2 'error the model and --live belong on the command line'
 has 3 'error the model and --live belong on the command line'
 has 4 "error coordinate 'x' is not a whole number"

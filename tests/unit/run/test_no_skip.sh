@@ -1,7 +1,7 @@
 #!/bin/sh
 # --no-skip does all the work, and every scene of every lesson is the same in each byte: that of the
-# shortcuts is the one that is compared with the references. (Which counters may differ, and how:
-# test_skip.c.)
+# shortcuts is the one that is compared with the references. (In lessons 2 to 8 it is trials.c that
+# does it. Which counters may differ, and how: test_skip.c.)
 . "$(dirname "$0")/../../unit/script.sh"
 
 for lesson in step[0-9]*_*; do
@@ -9,7 +9,7 @@ for lesson in step[0-9]*_*; do
         option=--$way
         [ $way = no-skip ] || option=
         # shellcheck disable=SC2086 # no word where there is no option
-        "$build/$lesson" -o "$work/$way" --stats $option >"$work/$way.counts" ||
+        "$build/quick/$lesson" --only all -o "$work/$way" --stats $option >"$work/$way.counts" ||
             wrong "$lesson $option: status $?"
     done
     diff -r "$work/skip" "$work/no-skip" || wrong "$lesson: --no-skip draws other pictures"

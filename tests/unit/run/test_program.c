@@ -845,10 +845,10 @@ static void test_details(void) {
     const struct program program = with_scenes(&view_program, detail_scenes, 4);
     CHECK_RUN(&program, "-o out", 0, "out/view.tga\nout/nose.tga\nout/ear.tga\n");
     CHECK_RUN(&program, "-o out near.obj", 0,
-              "probe: left out, as details of the course's own model (--details): nose, "
+              "probe: left out, as details of the course's own model (--only all): nose, "
               "ear\nout/view.tga\n");
     CHECK_RUN(&program, "-o out --only nose near.obj", 0, "out/nose.tga\n");
-    CHECK_RUN(&program, "-o out --details near.obj", 0,
+    CHECK_RUN(&program, "-o out --only all near.obj", 0,
               "out/view.tga\nout/nose.tga\nout/ear.tga\n");
     CHECK_RUN(&program, "-o out missing.obj", 1, "probe: missing.obj: No such file or directory\n");
 }

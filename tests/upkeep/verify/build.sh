@@ -22,7 +22,13 @@ case $place in
     compile="$compile -O0 -w -I. -Itests -DLESSON='\"${place%/numbers}/main.c\"'"
     mkdir -p "$place"
     ;;
-*) source=$place/main.c ;;
+*)
+    source=$place/main.c
+    if [ -f "tests/lessons/$step/trials.c" ]; then
+        source=tests/lessons/$step/trials.c
+        compile="$compile -iquote . -Itests -DLESSON='\"$place/main.c\"'"
+    fi
+    ;;
 esac
 eval "$compile -I'$step' -c '$source' -o '$program.o'" &&
     eval "$link '$program.o' $libraries -o '$program'" && ln -f "$program" "$program.kept"

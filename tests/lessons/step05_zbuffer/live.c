@@ -1,0 +1,180 @@
+/* Lesson 5 under the mouse: ways to decide what is in front, and depths of fewer bits. */
+#ifndef LESSON
+#define LESSON "../step05_zbuffer/main.c"
+#endif
+#include "more_scenes.h"
+
+/* Which attempt draws. */
+enum { LIVE_BUFFER, LIVE_FILE_ORDER, LIVE_PAINTER, LIVE_MEAN_DEPTH };
+
+/* ---- Scene: rows ---- */
+
+/* The ends of the three long segments are points to drag. */
+#define LIVE_POINT(name, x, y)                                                                     \
+    {name "_x", "end", 0, 800, 0.1, x}, {                                                          \
+        name "_y", "end", -ROWS_PLANE_BOTTOM, ROWS_PLANE, 0.1, y                                   \
+    }
+static const struct scene_value live_rows_values[] = {
+    LIVE_POINT("red", 20.5, 34),
+    LIVE_POINT("red_end", 744.5, 400),
+    LIVE_POINT("green", 120.7, 434),
+    LIVE_POINT("green_end", 444.8, 400),
+    LIVE_POINT("blue", 330, 463),
+    LIVE_POINT("blue_end", 594, 200),
+    {"attempt", "0 depth buffer, 1 in the order given, 2 the painter's order", 0, 2, 1, 0},
+    {.name = NULL},
+};
+
+static int live_compare_segments(const void *a, const void *b) {
+    const struct segment *s = a, *t = b;
+    const double depth = s->a.y + s->b.y, other = t->a.y + t->b.y;
+    return (depth > other) - (depth < other);
+}
+
+static bool live_rows(struct drawing *drawing, struct image *image, struct error *error) {
+    (void)error;
+    enum { COUNT = sizeof rows_segments / sizeof rows_segments[0] };
+    static const char *const names[][2] = {
+        {"red", "red_end"}, {"green", "green_end"}, {"blue", "blue_end"}};
+    struct segment segments[COUNT];
+    memcpy(segments, rows_segments, sizeof segments);
+    for (int i = 0; i < 3; i++) {
+        const struct vec2 a = drawing_point(drawing, names[i][0]);
+        const struct vec2 b = drawing_point(drawing, names[i][1]);
+        segments[i].a = a.x < b.x ? a : b;
+        segments[i].b = a.x < b.x ? b : a;
+    }
+    const int attempt = (int)drawing_value(drawing, "attempt");
+    if (attempt == LIVE_PAINTER) {
+        qsort(segments, COUNT, sizeof segments[0], live_compare_segments);
+    }
+    if (attempt == LIVE_BUFFER) {
+        draw_segments(segments, COUNT, image, drawing->depth);
+        return true;
+    }
+    for (size_t i = 0; i < COUNT; i++) { /* each is drawn over those before */
+        draw_segments(&segments[i], 1, image, drawing->depth);
+        depth_clear(drawing->depth, image->width);
+    }
+    draw_segments(NULL, 0, image, drawing->depth);
+    return true;
+}
+
+/* ---- Scenes with a model ---- */
+
+static const struct scene_value live_model_values[] = {
+    {"faces", "share of the faces that are drawn", 0, 1, 0.0002, 1},
+    {"attempt", "0 depth buffer, 1 the file's order, 2 the painter's, 3 a depth for each face", 0,
+     3, 1, 0},
+    {"bits", "bits of a corner's depth", 1, 52, 1, 52},
+    {.name = NULL},
+};
+
+/* A depth of -range..range in as many steps as the bits allow; all 52 leave it as it is. */
+static double live_round(double depth, int bits, double range) {
+    const double step = ldexp(range, 1 - bits);
+    return bits < 52 ? floor(depth / step + 0.5) * step : depth;
+}
+
+struct live_painted {
+    double depth; /* of the middle */
+    size_t face;
+};
+
+static int live_compare_painted(const void *a, const void *b) {
+    const struct live_painted *p = a, *q = b;
+    return (p->depth > q->depth) - (p->depth < q->depth);
+}
+
+/* The painter's order of the faces, to be freed by the caller; NULL when memory runs out. */
+static struct live_painted *live_painters_order(const struct model *model, struct error *error) {
+    struct live_painted *order = calloc(model->face_count + 1, sizeof *order);
+    for (size_t face = 0; order != NULL && face < model->face_count; face++) {
+        order[face].face = face;
+        for (size_t i = 0; i < 3; i++) {
+            order[face].depth += model_position(model, face, i).z;
+        }
+    }
+    if (order == NULL) {
+        error_out_of_memory(error);
+    } else {
+        qsort(order, model->face_count, sizeof *order, live_compare_painted);
+    }
+    return order;
+}
+
+/* The depths of a face's corners in an attempt. What is painted over everything before gets the
+ * number of its turn as depth, so that it is nearer. */
+static void live_depths(struct vertex v[3], int attempt, size_t turn, int bits) {
+    const double mean = (v[0].depth + v[1].depth + v[2].depth) / 3;
+    for (int i = 0; i < 3; i++) {
+        v[i].depth = attempt == LIVE_FILE_ORDER || attempt == LIVE_PAINTER
+                         ? (double)turn
+                         : live_round(attempt == LIVE_MEAN_DEPTH ? mean : v[i].depth, bits, 1);
+    }
+}
+
+static bool live_zbuffer(struct drawing *drawing, struct image *image, struct error *error) {
+    const struct model *model = drawing->model;
+    const int attempt = (int)drawing_value(drawing, "attempt");
+    struct live_painted *order = attempt == LIVE_PAINTER ? live_painters_order(model, error) : NULL;
+    if (attempt == LIVE_PAINTER && order == NULL) {
+        return false;
+    }
+    const struct vec3 light = vec3_normalized(drawing->light);
+    struct canvas canvas = {.image = image, .depth = drawing->depth};
+    const double share = drawing_value(drawing, "faces");
+    const int bits = (int)drawing_value(drawing, "bits");
+    for (size_t turn = 0; (double)turn < share * (double)model->face_count; turn++) {
+        const size_t face = order != NULL ? order[turn].face : turn;
+        struct vertex vertices[3];
+        const double intensity = model_face_intensity(model, face, light);
+        if (intensity > 0 && place_face(model, face, image, vertices)) {
+            live_depths(vertices, attempt, turn, bits);
+            triangle(&canvas, vertices, color_grey(level_from(intensity * 255)));
+        }
+    }
+    free(order);
+    count_pixels(drawing, &canvas);
+    return true;
+}
+
+static bool live_depth(struct drawing *drawing, struct image *image, struct error *error) {
+    bool done = live_zbuffer(drawing, image, error);
+    show_depths(image, drawing->depth);
+    return done;
+}
+
+/* ---- Scene: cards ---- */
+
+static const struct scene_value live_cards_values[] = {
+    {"bits", "bits of a card's depth", 1, 52, 1, 52},
+    {.name = NULL},
+};
+
+static bool live_cards(struct drawing *drawing, struct image *image, struct error *error) {
+    (void)error;
+    struct canvas canvas = {.image = image, .depth = drawing->depth};
+    const int bits = (int)drawing_value(drawing, "bits");
+    for (size_t i = 0; i < sizeof cards / sizeof cards[0]; i++) {
+        struct card card = cards[i];
+        card.depth = live_round(card.depth, bits, 8192);
+        draw_card(&card, &canvas);
+    }
+    return true;
+}
+
+/* ---- The scenes ---- */
+
+static const struct scene live[] = {
+    {.name = "rows", .values = live_rows_values, .draw = live_rows},
+    {.name = "zbuffer", .values = live_model_values, .draw = live_zbuffer},
+    {.name = "depth", .values = live_model_values, .draw = live_depth},
+    {.name = "knot", .values = live_model_values, .draw = live_zbuffer},
+    {.name = "side", .values = live_model_values, .draw = live_zbuffer},
+    {.name = "cards", .values = live_cards_values, .draw = live_cards},
+};
+
+static int main_with_more(const struct program *program, int argc, char **argv) {
+    return main_with(program, live, sizeof live / sizeof live[0], argc, argv);
+}
