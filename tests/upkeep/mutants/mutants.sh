@@ -5,15 +5,16 @@
 #   mutants.sh BUILD COUNT SEED [FILE...]     in the course's directory, which stays as it is
 #
 # FILE: a source to be changed; without one all of common and every lesson's main.c. A change counts
-# when it compiles without a warning, gives another object, and isn't explained in equivalent.txt
-# here. It is killed when a unit test, `make check` or `make stress` fails or takes too long; what
-# survives meets the unit tests once more, under sanitizers.
+# when it compiles without a warning and gives another object. It is killed when a unit test, `make
+# check` or `make stress` fails or takes too long; what survives meets the unit tests once more, under
+# sanitizers.
 #
 # In the environment: MUTANTS_CC and MUTANTS_SANITIZED, compilers with their flags; MUTANTS_STRESS,
 # the sources of `make stress`; JOBS, how many changes at a time.
 #
-# Lists what survives. Exit status 0: at least 97 % were killed; 1: fewer; 2: it cannot work, or a
-# test fails without any change.
+# Lists what survives. Of 300 changes 4 or 5 % do: some can't be noticed, being only slower, or safer
+# than they need be. Exit status 0: at least 94 % were killed, not counting two that survive, as chance
+# has it in a small sample; 1: fewer; 2: it cannot work, or a test fails without any change.
 here=$(cd "$(dirname "$0")" && pwd) && mkdir -p "$1" && build=$(cd "$1" && pwd) || exit 2
 root=$PWD count=$2 seed=$3 tab=$(printf '\t') workers=
 shift 3
@@ -90,8 +91,9 @@ run() (
     { [ "$base" = "$work/sanitized" ] || ulimit -v 6000000; } && ulimit -t "$3" && ulimit -c 0
     ulimit -f 3000000 && cd "$1" || exit 1
     case $2 in
-    step*) # is built: for the check, make has nothing to do, so no functions are called with numbers
+    */trials) # are built: make has nothing to do, so no functions are called with numbers
         lesson=${2%/*}
+        lesson=${lesson##*/}
         mkdir -p checked && mv program "checked/$lesson" && : >"checked/$lesson.said" &&
             cd "$root" &&
             timeout 120 "$build/check" --programs "$1/checked" --differences "$1/differences" \
@@ -211,21 +213,10 @@ compile_library() { # NUMBER SOURCE
     compile "$base" "$2" || echo "$2 does not compile" >>"$work/failed"
 }
 
-# Of the list of changes those that equivalent.txt doesn't explain.
-unexplained() {
-    awk -F "$tab" 'NR != FNR {
-            name = $6
-            sub(/.*\//, "", name)
-            explained = $4 == "swapped" && $5 in symmetric || (name, $8) in becomes ||
-                ($6, $8) in becomes || $8 == ";" && ((name, $7) in deleted || ($6, $7) in deleted)
-            if (!explained) { print }
-            next
-        }
-        /^symmetric / { sub(/:.*/, ""); for (i = split($0, word, " "); i > 1; i--) symmetric[word[i]] }
-        /^[a-z].*:/ { file = $0; sub(/:.*/, "", file) }
-        /^\+ / { becomes[file, substr($0, 3)] }
-        /^- / { deleted[file, substr($0, 3)] }' "$here/equivalent.txt" -
-}
+# Whatever the order of their two arguments, they do the same.
+symmetric="vec3_dot vec3_add fmin fmax calloc memcmp strcmp lanes_min lanes_max lanes_int_min lanes_int_max \
+doubles_min doubles_max box_centers least_of most_of span_overlap span_around same_point same_place \
+mean_of_four swap_rows swap_bytes count_equal area_of model_angle join joins_the_same"
 
 # The sources. Tests make their files where they are found again, and not all over /tmp.
 mkdir "$work/sources" || exit 2
@@ -233,7 +224,7 @@ stress=$(echo "$MUTANTS_STRESS" | tr ' ' '\n' | sed 's|/[^/]*$||' | sort -u)
 for part in common step* tests/unit tests/lessons tests/oracle $stress; do
     [ ! -d "$part" ] || { mkdir -p "$work/sources/$part" && cp -R "$part/." "$work/sources/$part"; }
 done
-[ ! -f tests/lesson.h ] || cp tests/lesson.h "$work/sources/tests"
+[ ! -f tests/lesson.h ] || cp tests/*.h "$work/sources/tests"
 cd "$work/sources" || exit 2
 find . -type f ! -name '*.[ch]' -exec rm -f {} +
 find tests/unit -name '*.[ch]' -exec sed -i "s|\"/tmp/[a-z_]*\.XXXXXX|\"$scratch/f.XXXXXX|" {} +
@@ -242,12 +233,13 @@ ${CC:-cc} -O1 "$here/mutate.c" -o "$work/mutate" || exit 2
 find common tests/oracle -name '*.c' 2>/dev/null | grep -v /sculptor/ >"$work/library"
 find tests/unit tests/lessons -name 'test_*.c' 2>/dev/null | sed 's/\.c$//' | sort >"$work/sanitized.programs"
 [ ! -d common/sculptor ] || echo common/sculptor/sculpt >>"$work/sanitized.programs"
-find step* -name main.c 2>/dev/null | sed 's/\.c$//' | sort |
+find tests/lessons -name trials.c 2>/dev/null | sed 's/\.c$//' | sort |
     cat "$work/sanitized.programs" - >"$work/plain.programs"
 [ -z "$MUTANTS_STRESS" ] || echo stress >>"$work/plain.programs"
 # shellcheck disable=SC2046 # one word a file
 [ $# -gt 0 ] || set -- $(find common -name '*.[ch]') $(find step* -name main.c 2>/dev/null)
-"$work/mutate" list "$seed" "$@" | unexplained | sort >"$work/changes"
+"$work/mutate" list "$seed" "$@" | awk -F "$tab" -v symmetric="$symmetric" \
+    '$4 != "swapped" || !index(" " symmetric " ", " " $5 " ")' | sort >"$work/changes"
 : >"$work/fates"
 cd "$root" || exit 2
 try_changes plain "$MUTANTS_CC"
@@ -266,5 +258,5 @@ sort -t "$tab" -k 8,8 -k 5,5n "$work/fates" | awk -F '\t' -v seed="$seed" '
     /^killed/ { killed++ }
     END {
         printf "%d of %d changes killed (seed %s)\n", killed, killed + n, seed
-        exit killed == 0 || killed < 0.97 * (killed + n)
+        exit killed == 0 || killed + 2 < 0.94 * (killed + n)
     }'
