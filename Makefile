@@ -127,7 +127,7 @@ endef
 WITH_MORE = $(or $(addprefix -iquote . -Itests -DLESSON='"$1"' ,\
                 $(wildcard tests/lessons/$(or $3,$(patsubst %/main.c,%,$1))/$2.c)),$1)
 # Where main.c is part of another file, its lines are named as they are without.
-SAID = { $(if $(IN_PLACE),echo;) sed '/^In file included from.*tests.lessons/d; s|\./\(step[0-9]\)|\1|' $@.said; }
+SAID = { $(if $(IN_PLACE),echo;) sed '/^\(In file included\| *\) *from .*tests.\(lesson\|more_scenes\)/d; s|\./\(step[0-9]\)|\1|' $@.said; }
 $(STEPS:%=$(BUILD)/%): $(BUILD)/%: %/main.c $(BUILD)/%.text $(BUILD)/libcommon.a $(BUILD)/flags
 	$(call BUILD_LESSON,$(LESSON_FLAGS),$(LESSON_OBJECTS))
 

@@ -558,12 +558,14 @@ static bool answer(void *context, struct live_request *request, FILE *out, struc
     return answer_scene(run, scene != NULL ? scene : &program->scenes[0], out, error);
 }
 
-/* What a student's program prints must not come between the frames: it goes to standard error. */
+/* What a student's program prints must not come between the frames: it goes to standard error, line
+ * by line, so that it is there before a crash. */
 static FILE *live_output(void) {
 #ifdef __wasi__ /* which has no dup() */
     return stdout;
 #else
     int output = dup(STDOUT_FILENO);
+    setvbuf(stdout, NULL, _IOLBF, BUFSIZ);
     return output >= 0 && dup2(STDERR_FILENO, STDOUT_FILENO) >= 0 ? fdopen(output, "wb") : NULL;
 #endif
 }

@@ -17,9 +17,5 @@ find_lesson
 # The make that runs this counts jobs for its own commands.
 MAKEFLAGS=$(echo "${MAKEFLAGS:-}" | sed 's/ -j[0-9]*//; s/ --jobserver-[a-z]*=[^ ]*//')
 export MAKEFLAGS
-trap '' INT # the server ends at Ctrl-C, and this after it
-"$build/live" "$build" "$make" "$lesson" ${model:+"$model"} | while IFS= read -r address; do
-    echo "$address"
-    echo "Your program draws on this page, and again at every save of $lesson/main.c; Ctrl-C ends."
-    sh tests/student/browse.sh "$address"
-done
+echo "Your program draws on this page, and again at every save of $lesson/main.c; Ctrl-C ends."
+exec "$build/live" "$build" "$make" "$lesson" "$model" "sh tests/student/browse.sh"

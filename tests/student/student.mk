@@ -38,6 +38,10 @@ $(STEPS:%=$(BUILD)/moving/%): $(BUILD)/moving/%: %/main.c $(BUILD)/%.text $(BUIL
                                                  $(BUILD)/flags
 	@mkdir -p $(@D)
 	$(call BUILD_LESSON,$(QUICK) $(LESSON_FLAGS),$(LESSON_OBJECTS),live)
+$(STEPS:%=$(BUILD)/moving/sanitized/%): $(BUILD)/moving/sanitized/%: %/main.c $(BUILD)/%.text \
+                                        $(BUILD)/quick/libcommon.a $(BUILD)/flags
+	@mkdir -p $(@D)
+	$(call BUILD_LESSON,$(SANITIZED) $(LESSON_FLAGS),$(LESSON_OBJECTS),live)
 
 $(BUILD)/live: $(patsubst %.c,$(BUILD)/%.o,$(wildcard tests/student/live/*.c)) $(CHECKER) \
                $(BUILD)/quick/libcommon.a

@@ -1,5 +1,5 @@
 /* A program that answers requests: see child.h. */
-#define _POSIX_C_SOURCE 200809L
+#define _GNU_SOURCE /* F_SETPIPE_SZ, where there is one */
 #include "child.h"
 
 #include "check/run.h"
@@ -11,87 +11,171 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-enum { START_SECONDS = 10, ANSWER_LIMIT = 300 * 1000 * 1000 };
+enum {
+    START_SECONDS = 10,
+    ANSWER_LIMIT = 300 * 1000 * 1000,
+    SAID_LIMIT = 16 * 1024, /* bytes of what it prints are kept */
+    AT_A_TIME = 64,         /* pieces of it: who prints without end must not keep us */
+    LOOK_MS = 100,          /* between two looks at its memory */
+    MEGABYTE = 1024 * 1024,
+    MEMORY_LIMIT = 2000, /* megabytes */
+    PIPE_SIZE = MEGABYTE /* where the system lets us: a frame comes in a few parts */
+};
 
 /* ---- Starting and ending ---- */
 
-static void execute(const char *program, const char *model, const char *said, int input,
-                    int output) {
-    int errors = open(said, O_WRONLY | O_CREAT | O_TRUNC, 0600);
+static void limit(int resource, rlim_t most) {
+    struct rlimit limits;
+    if (getrlimit(resource, &limits) == 0) {
+        limits.rlim_cur = most < limits.rlim_max ? most : limits.rlim_max;
+        setrlimit(resource, &limits);
+    }
+}
+
+static void execute(const char *program, const char *model, int input, int output, int errors) {
     setsid();
-    if (dup2(input, STDIN_FILENO) < 0 || dup2(output, STDOUT_FILENO) < 0 || errors < 0 ||
+    if (dup2(input, STDIN_FILENO) < 0 || dup2(output, STDOUT_FILENO) < 0 ||
         dup2(errors, STDERR_FILENO) < 0) {
         _exit(127);
     }
     for (int file = STDERR_FILENO + 1; file < 256; file++) {
         close(file);
     }
+    const struct run_limits limits = run_program_limits(0);
+    limit(RLIMIT_CORE, 0);
+    limit(RLIMIT_FSIZE, limits.file_bytes);
     execl(program, program, "--live", model[0] != '\0' ? model : (const char *)NULL,
           (const char *)NULL);
     _exit(127);
 }
 
-bool child_start(struct child *child, const char *program, const char *model, const char *said,
+/* Three pipes, or none. */
+static bool make_pipes(int pipes[3][2]) {
+    int made = 0;
+    while (made < 3 && pipe(pipes[made]) == 0) {
+        made++;
+    }
+    for (int i = 0; made < 3 && i < made; i++) {
+        close(pipes[i][0]);
+        close(pipes[i][1]);
+    }
+    return made == 3;
+}
+
+static void close_pipes(struct child *child) {
+    close(child->input);
+    close(child->output);
+    close(child->errors);
+    child->id = 0;
+}
+
+bool child_start(struct child *child, const char *program, const char *model,
                  struct bytes *description, struct error *error) {
-    int to[2] = {-1, -1}, from[2] = {-1, -1};
-    if (pipe(to) != 0 || pipe(from) != 0 || (child->id = fork()) < 0) {
-        child->id = 0;
-        for (int i = 0; i < 2; i++) {
-            close(to[i]);
-            close(from[i]);
-        }
+    enum { TO, FROM, ERRORS };
+    int pipes[3][2];
+    if (!make_pipes(pipes)) {
         return error_set(error, "cannot start %.900s: %s", program, strerror(errno));
     }
+    child->id = fork();
     if (child->id == 0) {
-        execute(program, model, said, to[0], from[1]);
+        execute(program, model, pipes[TO][0], pipes[FROM][1], pipes[ERRORS][1]);
     }
-    close(to[0]);
-    close(from[1]);
-    child->input = to[1];
-    child->output = from[0];
-    child->pending.size = 0;
+    close(pipes[TO][0]);
+    close(pipes[FROM][1]);
+    close(pipes[ERRORS][1]);
+    child->input = pipes[TO][1];
+    child->output = pipes[FROM][0];
+    child->errors = pipes[ERRORS][0];
+    if (child->id < 0) {
+        close_pipes(child);
+        return error_set(error, "cannot start %.900s: %s", program, strerror(errno));
+    }
+#ifdef F_SETPIPE_SZ
+    fcntl(child->output, F_SETPIPE_SZ, PIPE_SIZE);
+#endif
+    fcntl(child->errors, F_SETFL, O_NONBLOCK);
+    child->pending.size = child->said.size = 0;
     struct bytes nothing = {.data = NULL};
     return child_ask(child, &nothing, START_SECONDS, description, error);
 }
 
+/* Read what it has printed; what is more than is kept is thrown away. */
+static void hear(struct child *child) {
+    char buffer[4096];
+    for (int i = 0; i < AT_A_TIME; i++) {
+        const ssize_t length = read(child->errors, buffer, sizeof buffer);
+        if (length <= 0) {
+            return;
+        }
+        const size_t room = SAID_LIMIT - child->said.size;
+        bytes_append(&child->said, buffer, (size_t)length < room ? (size_t)length : room);
+    }
+}
+
+/* Let it end, and say how it has. */
+static int reap(struct child *child) {
+    int status = 0;
+    kill(-child->id, SIGKILL);
+    waitpid(child->id, &status, 0);
+    hear(child);
+    close_pipes(child);
+    return status;
+}
+
 void child_end(struct child *child) {
     if (child->id > 0) {
-        kill(-child->id, SIGKILL);
-        waitpid(child->id, NULL, 0);
-        close(child->input);
-        close(child->output);
-        child->id = 0;
+        reap(child);
     }
     bytes_free(&child->pending);
 }
 
-/* Say how it has ended, and forget it. */
+/* Its output has ended: say how it has. */
 static bool has_ended(struct child *child, struct error *error) {
-    int status = 0;
-    kill(-child->id, SIGKILL);
-    waitpid(child->id, &status, 0);
-    close(child->input);
-    close(child->output);
-    child->id = 0;
+    int status = reap(child);
     if (WIFSIGNALED(status) && WTERMSIG(status) != SIGKILL) {
         return error_set(error, "crashed: %s", run_signal_name(WTERMSIG(status)).text);
     }
-    return error_set(error, "ended");
+    return error_set(error, "ended with exit status %d", WEXITSTATUS(status));
+}
+
+/* How many megabytes it has in use, where the system says so; otherwise 0. */
+static size_t memory_in_use(const struct child *child) {
+    char path[64];
+    unsigned long pages = 0;
+    snprintf(path, sizeof path, "/proc/%ld/statm", (long)child->id);
+    FILE *file = fopen(path, "r");
+    if (file != NULL) {
+        pages = fscanf(file, "%*u %lu", &pages) == 1 ? pages : 0;
+        fclose(file);
+    }
+    return pages * (size_t)sysconf(_SC_PAGESIZE) / MEGABYTE;
 }
 
 /* ---- Asking ---- */
 
 /* Read some more until then. */
 static bool read_more(struct child *child, double end, struct error *error) {
-    struct pollfd waited = {.fd = child->output, .events = POLLIN};
+    struct pollfd waited[] = {{.fd = child->output, .events = POLLIN},
+                              {.fd = child->errors, .events = POLLIN}};
     static char buffer[1 << 16];
-    double left = end - run_now();
-    if (left <= 0 || poll(&waited, 1, (int)(1000 * left) + 1) <= 0) {
+    const double left = end - run_now();
+    if (left <= 0) {
         child_end(child);
         return error_set(error, "is stopped: it draws for too long; does every loop end?");
+    }
+    poll(waited, 2, 1000 * left < LOOK_MS ? (int)(1000 * left) + 1 : LOOK_MS);
+    hear(child);
+    if ((waited[0].revents & (POLLIN | POLLHUP)) == 0) {
+        const bool is_large = memory_in_use(child) > MEMORY_LIMIT;
+        if (is_large) {
+            child_end(child);
+            error_set(error, "is stopped: it uses more than %d MB of memory", MEMORY_LIMIT);
+        }
+        return !is_large;
     }
     ssize_t length = read(child->output, buffer, sizeof buffer);
     if (length <= 0) {
@@ -148,7 +232,7 @@ bool child_ask(struct child *child, const struct bytes *request, double seconds,
         if (!read_more(child, end, error)) {
             return false;
         }
-        length = answer_length(&child->pending);
+        length = child->pending.size > 0 ? answer_length(&child->pending) : 0;
     }
     bool done = bytes_append(answer, child->pending.data, length);
     child->pending.size -= length;

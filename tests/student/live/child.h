@@ -10,22 +10,22 @@
 #include <sys/types.h>
 
 struct child {
-    pid_t id;             /* 0: not started */
-    int input, output;    /* ends of pipes: to it, and from it */
-    struct bytes pending; /* read from it, and no answer yet */
+    pid_t id;                  /* 0: not started */
+    int input, output, errors; /* ends of pipes: to it, and from it */
+    struct bytes pending;      /* read from it, and no answer yet */
+    struct bytes said;         /* what it has printed itself, since it was started; then a NUL */
 };
 
-/* Start PROGRAM --live [MODEL]; what it says to standard error goes to the file `said`. Its first
- * line, the description, is appended to `description`. */
-bool child_start(struct child *child, const char *program, const char *model, const char *said,
+/* Start PROGRAM --live [MODEL]. Its first line, the description, is appended to `description`. */
+bool child_start(struct child *child, const char *program, const char *model,
                  struct bytes *description, struct error *error);
 
 /* Send a request, and append the whole answer. False, with a message, where the program crashes,
- * ends, or takes longer than that: then it is ended. */
+ * ends, takes longer than that or too much memory: then it is ended. */
 bool child_ask(struct child *child, const struct bytes *request, double seconds,
                struct bytes *answer, struct error *error);
 
-/* End it, whatever it does. */
+/* End it, whatever it does. What it has said stays. */
 void child_end(struct child *child);
 
 #endif

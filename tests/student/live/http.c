@@ -2,6 +2,8 @@
 #define _DEFAULT_SOURCE /* macOS and FreeBSD hide INADDR_LOOPBACK from POSIX alone */
 #include "http.h"
 
+#include "check/run.h"
+
 #include <arpa/inet.h>
 #include <errno.h>
 #include <netinet/in.h>
@@ -17,7 +19,7 @@
 enum {
     HEAD_LIMIT = 16 * 1024,   /* bytes of a request's first line and fields */
     BODY_LIMIT = 1024 * 1024, /* bytes of its body */
-    PATIENCE_SECONDS = 2      /* for whoever has connected and says nothing */
+    PATIENCE_SECONDS = 2      /* for a request, and for whoever does not take its answer */
 };
 
 /* ---- Listening ---- */
@@ -51,13 +53,6 @@ bool http_listen(struct http_server *server, struct error *error) {
 }
 
 /* ---- Reading ---- */
-
-/* Read some more; false at the end, or when nothing comes in time. */
-static bool read_more(int connection, struct bytes *head) {
-    char buffer[16384];
-    ssize_t length = recv(connection, buffer, sizeof buffer, 0);
-    return length > 0 && bytes_append(head, buffer, (size_t)length);
-}
 
 /* Where the body begins in what was read so far; 0 while it does not. */
 static size_t find_body(struct bytes *head) {
@@ -100,51 +95,106 @@ static bool is_for_us(const struct http_server *server, const char *head,
            strstr(request->path, "..") == NULL;
 }
 
-/* Read head and body. */
-static bool read_request(const struct http_server *server, struct http_request *request,
-                         struct bytes *read) {
-    size_t body = 0;
-    while (body == 0) {
-        if (read->size > HEAD_LIMIT || !read_more(request->connection, read)) {
-            return false;
-        }
-        body = find_body(read);
+/* What is known of a request of which this has been read. */
+enum reading { READING_MORE, READING_DONE, READING_REFUSED };
+
+static enum reading read_request(const struct http_server *server, struct bytes *read,
+                                 struct http_request *request) {
+    const size_t body = find_body(read);
+    if (body == 0) {
+        return read->size > HEAD_LIMIT ? READING_REFUSED : READING_MORE;
     }
+    const unsigned char kept = read->data[body - 1];
     read->data[body - 1] = '\0'; /* the end of the last field stays */
-    if (!is_for_us(server, (const char *)read->data, request)) {
-        return false;
-    }
+    const bool for_us = is_for_us(server, (const char *)read->data, request);
     const char *field = find_field((const char *)read->data, "Content-Length");
-    size_t length = field != NULL ? strtoul(field, NULL, 10) : 0;
-    while (length <= BODY_LIMIT && read->size < body + length) {
-        if (!read_more(request->connection, read)) {
-            return false;
-        }
+    const size_t length = field != NULL ? strtoul(field, NULL, 10) : 0;
+    read->data[body - 1] = kept;
+    if (!for_us || length > BODY_LIMIT) {
+        return READING_REFUSED;
     }
-    return length <= BODY_LIMIT && bytes_append(&request->body, read->data + body, length) &&
-           bytes_append(&request->body, "", 1);
+    if (read->size < body + length) {
+        return READING_MORE;
+    }
+    return bytes_append(&request->body, read->data + body, length) &&
+                   bytes_append(&request->body, "", 1)
+               ? READING_DONE
+               : READING_REFUSED;
+}
+
+/* It is one no more; its connection stays open. */
+static void forget_caller(struct http_server *server, size_t i) {
+    bytes_free(&server->caller[i].read);
+    server->caller_count--;
+    memmove(&server->caller[i], &server->caller[i + 1],
+            (server->caller_count - i) * sizeof server->caller[0]);
+}
+
+static void refuse(struct http_server *server, size_t i) {
+    struct http_request request = {.connection = server->caller[i].connection};
+    forget_caller(server, i);
+    http_answer(&request, 404, "text/plain", "", 0);
+}
+
+/* Whoever connects takes the place of the one that waits longest, when there are many. */
+static void accept_caller(struct http_server *server) {
+    struct timeval patience = {.tv_sec = PATIENCE_SECONDS};
+    int connection = accept(server->socket, NULL, NULL);
+    if (connection < 0) {
+        return;
+    }
+    if (server->caller_count == HTTP_CONNECTIONS) {
+        refuse(server, 0);
+    }
+    setsockopt(connection, SOL_SOCKET, SO_SNDTIMEO, &patience, sizeof patience);
+    server->caller[server->caller_count++] =
+        (struct http_caller){.connection = connection, .since = run_now()};
+}
+
+/* Read what has come of a request. True when it is all there; then the caller is forgotten. */
+static bool hear_caller(struct http_server *server, size_t i, struct http_request *request) {
+    struct http_caller *caller = &server->caller[i];
+    char buffer[16384];
+    ssize_t length = recv(caller->connection, buffer, sizeof buffer, MSG_DONTWAIT);
+    enum reading reading = READING_REFUSED;
+    *request = (struct http_request){.connection = caller->connection};
+    if (length > 0 && bytes_append(&caller->read, buffer, (size_t)length)) {
+        reading = read_request(server, &caller->read, request);
+    }
+    if (reading == READING_DONE) {
+        forget_caller(server, i);
+        return true;
+    }
+    bytes_free(&request->body);
+    if (reading == READING_REFUSED) {
+        refuse(server, i);
+    }
+    return false;
 }
 
 bool http_next(struct http_server *server, int milliseconds, struct http_request *request) {
-    struct pollfd waited = {.fd = server->socket, .events = POLLIN};
-    struct timeval patience = {.tv_sec = PATIENCE_SECONDS};
-    struct bytes read = {.data = NULL};
+    struct pollfd waited[HTTP_CONNECTIONS + 1];
     *request = (struct http_request){.connection = -1};
-    if (poll(&waited, 1, milliseconds) <= 0) {
+    while (server->caller_count > 0 && run_now() - server->caller[0].since > PATIENCE_SECONDS) {
+        refuse(server, 0);
+    }
+    const size_t count = server->caller_count;
+    for (size_t i = 0; i < count; i++) {
+        waited[i] = (struct pollfd){.fd = server->caller[i].connection, .events = POLLIN};
+    }
+    waited[count] = (struct pollfd){.fd = server->socket, .events = POLLIN};
+    if (poll(waited, count + 1, milliseconds) <= 0) {
         return false;
     }
-    request->connection = accept(server->socket, NULL, NULL);
-    if (request->connection < 0) {
-        return false;
+    for (size_t i = count; i-- > 0;) { /* who is forgotten moves only those behind */
+        if (waited[i].revents != 0 && hear_caller(server, i, request)) {
+            return true;
+        }
     }
-    setsockopt(request->connection, SOL_SOCKET, SO_RCVTIMEO, &patience, sizeof patience);
-    setsockopt(request->connection, SOL_SOCKET, SO_SNDTIMEO, &patience, sizeof patience);
-    bool done = read_request(server, request, &read);
-    bytes_free(&read);
-    if (!done) {
-        http_answer(request, 404, "text/plain", "", 0);
+    if (waited[count].revents != 0) {
+        accept_caller(server);
     }
-    return done;
+    return false;
 }
 
 /* ---- Answering ---- */

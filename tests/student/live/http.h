@@ -1,6 +1,7 @@
 /*
- * The little of HTTP/1.1 (RFC 9112) that one page on this machine needs: a request at a time, each
- * on its own connection, on an address that nobody can guess.
+ * The little of HTTP/1.1 (RFC 9112) that one page on this machine needs: each request on its own
+ * connection, on an address that nobody can guess. Who connects and says nothing, or says it
+ * slowly, keeps nobody waiting.
  */
 #ifndef TESTS_STUDENT_LIVE_HTTP_H
 #define TESTS_STUDENT_LIVE_HTTP_H
@@ -11,12 +12,19 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-enum { HTTP_TOKEN_LENGTH = 32, HTTP_PATH_LIMIT = 256 };
+enum { HTTP_TOKEN_LENGTH = 32, HTTP_PATH_LIMIT = 256, HTTP_CONNECTIONS = 32 };
 
 struct http_server {
     int socket;
     unsigned port;                     /* of 127.0.0.1 */
     char token[HTTP_TOKEN_LENGTH + 1]; /* hexadecimal digits */
+    /* Whose request isn't all there, the one that waits longest first. */
+    struct http_caller {
+        int connection;
+        double since; /* by the clock of run_now() */
+        struct bytes read;
+    } caller[HTTP_CONNECTIONS];
+    size_t caller_count;
 };
 
 struct http_request {

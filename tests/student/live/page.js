@@ -137,49 +137,55 @@ async function ask() {
             const without = view === "yours" ? [] : chosenModes();
             const other = without.length > 0 ? parseFrame(await program.frame(request(without))) : null;
             plain = other?.pixels ? {...other, without} : null;
-            if (frame.error) {
-                say(frame.error);
-            } else {
+            frameMessage = frame.error ?? "";
+            if (!frame.error) {
                 shown = frame;
-                say(buildMessage);
             }
         } catch (error) {
-            say(error.message);
+            frameMessage = error.message;
         }
+        say();
         clearTimeout(slow);
         paint();
     } while (again);
     asking = false;
 }
 
-let buildMessage = "";
+let frameMessage = "", buildMessage = "";
 
-function say(text) {
+function say() {
+    const text = [...new Set([frameMessage, buildMessage])].filter(Boolean).join("\n");
     $("message").hidden = text === "";
     if ($("message").textContent !== text) {
         $("message").textContent = text;
     }
 }
 
+// What there is to say of a program while it is written, first what matters most.
+const messageOf = ({building, message, todo, printed}) =>
+    [building && "Building ...", message, todo && `Task ${todo} in main.c is to do.`,
+     printed && `Your program prints:\n${printed}`].filter(Boolean).join("\n");
+
 async function lookForChanges() {
     try {
         const state = await program.state();
-        buildMessage = state.message;
+        buildMessage = messageOf(state);
         if (state.version !== version || !about) {
             version = state.version;
+            frameMessage = "";
             if (state.program) {
                 about = state.program;
                 document.title = $("title").textContent = state.step;
                 build();
             }
-            say(buildMessage);
             if (about) {
                 ask();
             }
         }
     } catch (error) {
-        say(error.message);
+        frameMessage = error.message;
     }
+    say();
     if (!program.still) {
         setTimeout(lookForChanges, 500);
     }

@@ -12,7 +12,7 @@ async function fetchFrom(path, options) {
 
 const program = {
     // What common/run/live.h says of the scenes, and the messages of the build:
-    // {version, step, message, program}.
+    // {version, building, step, message, printed, todo, program}.
     async state() {
         return (await fetchFrom("state")).json();
     },

@@ -73,8 +73,8 @@ judge_pages() {
 }
 
 # What the server draws with.
-quick_programs() {
-    echo step[01]*/main.c | sed 's|\([^ ]*\)/main.c|build/quick/\1|g'
+moving_programs() {
+    echo step[01]*/main.c | sed 's|\([^ ]*\)/main.c|build/moving/\1|g'
 }
 
 # Its own course, because lessons are broken and mended in it.
@@ -82,8 +82,8 @@ quick_programs() {
 judge_live() {
     cp -R Makefile README.md common step* tests "$work/live" 2>/dev/null ||
         { mkdir "$work/live" && cp -R Makefile README.md common step* tests "$work/live"; } &&
-        (cd "$work/live" && unset MAKEFLAGS MFLAGS && make -s build/live $(quick_programs) models >"$work/log" 2>&1) &&
-        COURSE=$work/live node --test tests/upkeep/browser/live.js
+        (cd "$work/live" && unset MAKEFLAGS MFLAGS && make -s build/live $(moving_programs) models >"$work/log" 2>&1) &&
+        COURSE=$work/live node --test tests/upkeep/browser/server.js tests/upkeep/browser/live.js
 }
 
 # The lessons as web pages, as far as their tools are here.
@@ -101,7 +101,7 @@ export BROWSER
 if [ -n "${FRAMES:-}" ]; then
     none=$(npm_missing)
     # shellcheck disable=SC2046 # one word a program
-    make -s build/live $(quick_programs) models && sh tests/teacher/site/site.sh build "$work/site" >/dev/null &&
+    make -s build/live $(moving_programs) models && sh tests/teacher/site/site.sh build "$work/site" >/dev/null &&
         SITE=$work/site node tests/upkeep/browser/frames.js
     exit
 fi
