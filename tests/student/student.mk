@@ -8,8 +8,9 @@
 ##   make watch STEP=05          check and show again at every save, until Ctrl-C
 ##   make new NAME=mine          a program of your own, mine/main.c, which draws with the pipeline
 ##   make mine                   build it and draw build/out/mine/turn.png (MODEL=a.obj, or several)
+##   make renderer               what you wrote in ten lessons becomes one C file (OUT=renderer.c)
 ##   make LINE=mine              lessons 2 to 8 draw with what you wrote in lessons 1 and 3
-.PHONY: start solution hint show open live watch new
+.PHONY: start solution hint show open live watch new renderer
 start solution:
 	@sh tests/student/start.sh $@ '$(STEP)'
 
@@ -54,6 +55,11 @@ $(BUILD)/show $(BUILD)/compare_page: $(BUILD)/%: $(BUILD)/tests/student/%.o \
                                      $(BUILD)/tests/student/terminal.o $(CHECKER) \
                                      $(BUILD)/quick/libcommon.a
 	$(Q)$(LINK) $^ -lm -o $@
+
+# ---- A renderer of one's own ----
+
+renderer: $(BUILD)/models/bust.obj
+	@sh tests/student/renderer/renderer.sh '$(BUILD)' '$(OUT)' '$(CC)'
 
 # ---- A program of one's own: a directory with a file .new ----
 
