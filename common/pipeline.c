@@ -12,16 +12,10 @@ bool pipeline_create(struct pipeline *pipeline, size_t width, size_t height, str
                          DRAW_LIMIT);
     }
     struct frame *frame = calloc(1, sizeof *frame);
-    *pipeline = (struct pipeline){.width = width, .height = height, .skip = true, .frame = frame};
-    if (frame != NULL) {
-        frame->pipeline = pipeline;
-        frame->last_touched =
-            calloc(band_count(frame) * chunk_columns(frame), sizeof *frame->last_touched);
-    }
-    if (frame == NULL || frame->last_touched == NULL) {
-        pipeline_free(pipeline);
+    if (frame == NULL) {
         return error_out_of_memory(error);
     }
+    *pipeline = (struct pipeline){.width = width, .height = height, .skip = true, .frame = frame};
     return true;
 }
 
@@ -67,7 +61,6 @@ void pipeline_free(struct pipeline *pipeline) {
         free(frame->recip_w);
         free(frame->beyonds);
         free(frame->band_starts);
-        free(frame->last_touched);
         free(frame);
     }
     free(pipeline->depth);
@@ -201,11 +194,8 @@ static bool reserve_workers(struct frame *frame) {
 }
 
 /* Nothing is drawn yet, and nothing counted. */
-static void begin_frame(struct frame *frame, const struct pipeline *p, struct image *image) {
-    const struct image *last = &frame->last_image;
+static void begin_frame(struct frame *frame, struct image *image) {
     frame->image = image;
-    frame->knows_last = p->clearing == CLEAR_LAST_FRAME && last->pixels == image->pixels &&
-                        last->format == image->format;
     frame->round = (struct index_range){0, 0};
     frame->position_count = frame->block_count = frame->sorted_count = 0;
     frame->kept = false;
@@ -251,13 +241,12 @@ bool pipeline_finish(struct pipeline *p, struct image *image, struct error *erro
     if (!reserve_depth(p) || !reserve_workers(frame)) {
         return error_out_of_memory(error);
     }
-    begin_frame(frame, p, image);
+    begin_frame(frame, image);
     if (!pipeline_order(frame, error) || !draw_rounds(frame, error)) {
         free_columns(frame); /* in some there is something, perhaps */
         return false;
     }
     workers_run(frame->workers, band_count(frame), pipeline_draw_band, frame);
-    frame->last_image = p->clearing == CLEAR_LAST_FRAME ? *image : (struct image){0};
     for (size_t i = 0; i < workers_count(frame->workers); i++) {
         for (int k = 0; k < PIPELINE_STATS; k++) {
             p->stats[k] += frame->scratch[i].stats[k];

@@ -141,24 +141,15 @@ enum pipeline_stat {
 /* Their names, as --stats prints them. */
 extern const char *const pipeline_stat_name[PIPELINE_STATS];
 
-/* What becomes of pixels that nothing covers. */
-enum clearing {
-    CLEAR_NOTHING, /* they stay as they are */
-    CLEAR_ALL,     /* they become 0 */
-    /* They become 0, and nobody else writes to the image between frames: then most are 0 already,
-     * and only what the last frame has drawn is cleared. */
-    CLEAR_LAST_FRAME
-};
-
 /* Its memory is kept from frame to frame, so that drawing allocates nothing once there is enough.
  * All zero is a valid, empty pipeline. */
 struct pipeline {
     size_t width, height;
-    bool skip;              /* false: do all the work, shade at once; the image is the same */
-    bool counts_tests;      /* count depth tests, in up to 1.4 times the time */
-    enum clearing clearing; /* at first CLEAR_NOTHING */
-    bool keep_depth;        /* keep what pipeline_finish() found in `depth` */
-    double *depth; /* width * height; minus infinity where nothing is drawn; NULL if not kept */
+    bool skip;         /* false: do all the work, shade at once; the image is the same */
+    bool counts_tests; /* count depth tests, in up to 1.4 times the time */
+    bool clears_image; /* pixels that nothing covers become 0; false, at first: they stay */
+    bool keep_depth;   /* keep what pipeline_finish() found in `depth` */
+    double *depth;     /* width * height; minus infinity where nothing is drawn; NULL if not kept */
     uint64_t stats[PIPELINE_STATS];
 
     struct frame *frame; /* private: pipeline/frame.h */
@@ -182,8 +173,8 @@ bool pipeline_draw(struct pipeline *pipeline, const struct draw_call *call,
                    const struct shader *shader, const void *uniforms, size_t size,
                    struct error *error);
 
-/* Draw everything recorded into an image of the pipeline's size, format BGR or BGRA; what nothing
- * covers is as `clearing` says. False when memory runs out, with the image as it was. */
+/* Draw everything recorded into an image of the pipeline's size, format BGR or BGRA. False when
+ * memory runs out, with the image as it was. */
 bool pipeline_finish(struct pipeline *pipeline, struct image *image, struct error *error);
 
 #include "pipeline/shade.h" /* private: what SHADER() compiles into its loop */

@@ -376,36 +376,12 @@ static void keep_depth(const struct call_band *band) {
     }
 }
 
-/* Clear what the last frame has touched in some rows of the image. */
-static void clear_touched(const struct image *image, struct span rows, const uint32_t *touched) {
-    enum { AHEAD = 4 }; /* chunks: no processor foresees what is read in columns */
-    for (size_t x = 0; x < image->width; x += CHUNK) {
-        uint8_t *pixels = image->pixels + ((size_t)rows.begin * image->width + x) * image->format;
-        size_t size = (image->width - x < CHUNK ? image->width - x : CHUNK) * image->format;
-        for (uint32_t left = touched[x / CHUNK]; left != 0; left >>= 1) {
-            if ((left & 1) != 0 && size == CHUNK * IMAGE_BGRA) {
-                uintptr_t ahead = (uintptr_t)pixels + AHEAD * CHUNK * IMAGE_BGRA;
-                __builtin_prefetch((const void *)ahead, 1);
-                memset(pixels, 0, CHUNK * IMAGE_BGRA); /* one instruction or two */
-            } else if ((left & 1) != 0) {
-                memset(pixels, 0, size);
-            }
-            pixels += image->width * image->format;
-        }
-    }
-}
-
 /* While the rows are in the cache: the shaders write to them next. */
-static void clear_image(const struct call_band *band, const uint32_t *last_touched) {
-    const struct frame *frame = band->frame;
-    const struct image *image = frame->image;
+static void clear_image(const struct call_band *band) {
+    const struct image *image = band->frame->image;
     size_t row_size = image->width * image->format;
-    if (frame->knows_last) {
-        clear_touched(image, band->rows, last_touched);
-    } else if (frame->pipeline->clearing != CLEAR_NOTHING) {
-        memset(image->pixels + (size_t)band->rows.begin * row_size, 0,
-               (size_t)(band->rows.end - band->rows.begin) * row_size);
-    }
+    memset(image->pixels + (size_t)band->rows.begin * row_size, 0,
+           (size_t)(band->rows.end - band->rows.begin) * row_size);
 }
 
 /* Number the pieces of the call at that place of the order, behind those of the calls before it.
@@ -483,17 +459,16 @@ void pipeline_cover_band(void *context, size_t index, size_t worker) {
 void pipeline_draw_band(void *context, size_t index, size_t worker) {
     struct frame *frame = context;
     struct call_band band = begin_band(frame, index, worker);
-    size_t columns = chunk_columns(frame);
-    uint32_t *last_touched = frame->last_touched + index * columns;
-    clear_image(&band, last_touched);
+    if (frame->pipeline->clears_image) {
+        clear_image(&band);
+    }
     cover_calls(&band);
     mark_visible(&band);
     shade_calls(&band);
     if (frame->pipeline->depth != NULL) {
         keep_depth(&band);
     }
-    for (size_t i = 0; i < columns; i++) {
-        last_touched[i] = band.chunks[i].touched;
+    for (size_t i = 0; i < chunk_columns(frame); i++) {
         column_clear(&band.chunks[i]);
     }
 }

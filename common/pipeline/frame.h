@@ -175,10 +175,6 @@ struct frame {
     struct column *chunks;   /* of one band a thread or, if `kept`, of all bands */
     struct scratch *scratch; /* one a thread; NULL before the first frame */
     size_t column_count;
-    /* For CLEAR_LAST_FRAME: `touched` of all bands, and whose they are. */
-    uint32_t *last_touched;
-    struct image last_image;
-    bool knows_last; /* the image is that one */
 };
 
 /* Are the pixels of a shader shaded while they are covered? */

@@ -14,10 +14,9 @@
  * first, bilinear samples of the same mip level. What does not change from frame to frame is made
  * ready by both before the clock runs (normals of length 1, buffers, textures). The formulas are
  * the same, with the power 10 written out as products on both sides. llvmpipe's depth is a 32-bit
- * float and its specular map has one byte a texel; other formats were no faster. One thing is not
- * equal: nobody else writes to this course's image, which may clear only what its last frame has
- * drawn (CLEAR_LAST_FRAME), and glClear() has no such thing. With --clear-all it clears all. (And
- * this course asks for large pages of memory, which Mesa does not: see large_pages.h.)
+ * float and its specular map has one byte a texel; other formats were no faster. Both clear the
+ * whole image before each frame. (One thing is not equal: this course asks for large pages of
+ * memory, which Mesa does not; see large_pages.h.)
  *
  * Then both pictures are compared with the exact one (exact.h). Times are only shown: nothing fails
  * because of them.
@@ -59,7 +58,7 @@ static size_t side_count(const struct bench *b) {
 }
 
 static bool load_sides(struct bench *b, const struct frame_scene *scene, struct error *error) {
-    return ours_load(&b->ours, scene, b->options.threads, b->options.clearing, error) &&
+    return ours_load(&b->ours, scene, b->options.threads, error) &&
            (b->mesa == NULL || llvmpipe->load(b->mesa, scene, error));
 }
 

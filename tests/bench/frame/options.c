@@ -31,12 +31,6 @@ static bool be_quick(const char *value, void *target) {
     return true;
 }
 
-static bool clear_all(const char *value, void *target) {
-    (void)value;
-    *(enum clearing *)target = CLEAR_ALL;
-    return true;
-}
-
 bool options_read(struct options *o, int argc, char **argv, struct error *error) {
     const struct argument known[] = {
         {"--look", "NAME", "only this look: flat, gouraud or phong", read_look, &o->look},
@@ -45,13 +39,9 @@ bool options_read(struct options *o, int argc, char **argv, struct error *error)
         {"--quick", "", "3 frames, at the first size, of the model as it is", be_quick, o},
         {"--skipping", "", "only what each shortcut is worth, where much is hidden or off screen",
          argument_flag, &o->skipping},
-        {"--clear-all", "",
-         "clear all of the image, not only what the last frame has drawn, as\nllvmpipe does",
-         clear_all, &o->clearing},
     };
     const size_t known_count = sizeof known / sizeof known[0];
-    *o = (struct options){
-        .look = FRAME_LOOKS, .frames = 15, .threads = 1, .clearing = CLEAR_LAST_FRAME};
+    *o = (struct options){.look = FRAME_LOOKS, .frames = 15, .threads = 1};
     o->help = arguments_want_help(argc, argv);
     if (o->help) {
         puts("usage: bench-frame [options] [model]\n\n"

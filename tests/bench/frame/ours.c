@@ -104,14 +104,14 @@ static const struct shader *const shaders[FRAME_LOOKS] = {
 /* ---- Frames ---- */
 
 bool ours_load(struct ours *ours, const struct frame_scene *scene, size_t threads,
-               enum clearing clearing, struct error *error) {
+               struct error *error) {
     ours_free(ours);
     ours->scene = *scene;
     if (!image_create(&ours->image, scene->width, scene->height, IMAGE_BGRA, error) ||
         !pipeline_create(&ours->pipeline, scene->width, scene->height, error)) {
         return false;
     }
-    ours->pipeline.clearing = clearing;
+    ours->pipeline.clears_image = true;
     pipeline_use_threads(&ours->pipeline, threads);
     return true;
 }

@@ -15,7 +15,7 @@ struct ours {
 
 /* Make ready to draw a scene, which must stay, with that many threads. */
 bool ours_load(struct ours *ours, const struct frame_scene *scene, size_t threads,
-               enum clearing clearing, struct error *error);
+               struct error *error);
 
 /* A frame: clear, draw; all of it is in `image` on return. */
 bool ours_draw(struct ours *ours, struct error *error);

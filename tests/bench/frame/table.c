@@ -18,9 +18,8 @@ static double ratio(const struct cell *cell) {
 /* ---- Times ---- */
 
 void table_print_time_head(const struct options *options) {
-    printf("\nBefore a frame this course clears %s; llvmpipe clears all.\n",
-           options->clearing == CLEAR_ALL ? "all" : "what its last frame has drawn");
     printf(
+        "\nBoth sides clear the whole image before each frame.\n"
         "\nMilliseconds a frame, %zu thread%s, the median of %zu (and how far apart the quartiles "
         "are);\nhow many times as fast as llvmpipe\n\n",
         options->threads, options->threads == 1 ? "" : "s", options->frames);
