@@ -66,14 +66,15 @@ LANES_INLINE lanes lanes_all(real value) {
     return value - (lanes){0};
 }
 
-/* a where the mask is set, b elsewhere. (gcc turns the `+` into one instruction, but
- * (mask & a) | (~mask & b) into two or three.) */
-LANES_INLINE lanes lanes_select(lanes_mask mask, lanes a, lanes b) {
-    return (lanes)((mask & (lanes_mask)a) + (~mask & (lanes_mask)b));
-}
+/* The elements of a where the mask is set, those of b elsewhere: for vectors of any type, and a mask
+ * as a comparison of vectors gives it. (gcc turns the `+` into one instruction, but an `|` into two
+ * or three.) */
+#define VECTOR_SELECT(mask, a, b)                                                                  \
+    ((__typeof__(a))(((mask) & (__typeof__(mask))(a)) + (~(mask) & (__typeof__(mask))(b))))
 
-LANES_INLINE lanes_texel lanes_texel_select(lanes_int mask, lanes_texel a, lanes_texel b) {
-    return ((lanes_texel)mask & a) + (~(lanes_texel)mask & b);
+/* a where the mask is set, b elsewhere. */
+LANES_INLINE lanes lanes_select(lanes_mask mask, lanes a, lanes b) {
+    return VECTOR_SELECT(mask, a, b);
 }
 
 LANES_INLINE lanes lanes_sqrt(lanes a) {

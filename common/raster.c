@@ -82,8 +82,7 @@ bool line_begin(struct line_walk *walk, struct pixel a, struct pixel b, size_t w
 static struct edge make_edge(struct fixed2 p, struct fixed2 q, int sign) {
     int64_t x_distance = sign * ((int64_t)q.x - p.x), y_distance = sign * ((int64_t)q.y - p.y);
     const int64_t center = SUBPIXELS / 2;
-    /* Seen counterclockwise with y up, a left edge goes down and a top edge goes left. */
-    bool top_left = y_distance < 0 || (y_distance == 0 && x_distance < 0);
+    bool top_left = IS_TOP_LEFT(x_distance, y_distance);
     return (struct edge){
         .origin = x_distance * (center - p.y) - y_distance * (center - p.x),
         .dx = -y_distance * SUBPIXELS,

@@ -44,9 +44,10 @@ struct rectangle grid_cell(size_t width, size_t height, int columns, int rows, i
 /* ---- Positions and edges on the screen ---- */
 
 enum {
-    SUBPIXELS = 256,        /* steps of a snapped position in one pixel */
-    SCREEN_LIMIT = 1 << 21, /* pixels: no corner lies farther than this from (0,0) */
-    DRAW_LIMIT = 16384      /* pixels: no image to draw on is wider or higher */
+    SUBPIXEL_BITS = 8,
+    SUBPIXELS = 1 << SUBPIXEL_BITS, /* 256 steps of a snapped position in one pixel */
+    SCREEN_LIMIT = 1 << 21,         /* pixels: no corner lies farther than this from (0,0) */
+    DRAW_LIMIT = 16384              /* pixels: no image to draw on is wider or higher */
 };
 
 /* A position on the screen in 1/256 pixel. */
@@ -115,10 +116,15 @@ static inline int32_t most_of(int32_t a, int32_t b, int32_t c) {
     return most > c ? most : c;
 }
 
+/* The first pixel of a row whose centre lies at `least` (in 1/256 pixel) or beyond, and the last one
+ * whose centre does not lie beyond `most`. The centre of pixel 0 is half a pixel from 0. For whole
+ * numbers and, element by element, for vectors of them; >> rounds down, also below 0. */
+#define FIRST_CENTER(least) (((least) + (SUBPIXELS / 2 - 1)) >> SUBPIXEL_BITS)
+#define LAST_CENTER(most)   (((most)-SUBPIXELS / 2) >> SUBPIXEL_BITS)
+
 /* The pixels of a row or column whose centres lie in least..most (1/256 pixel), cut to 0..size. */
 static inline struct span centers_between(int32_t least, int32_t most, size_t size) {
-    int64_t begin = ceil_divide((int64_t)least - SUBPIXELS / 2, SUBPIXELS);
-    int64_t end = floor_divide((int64_t)most - SUBPIXELS / 2, SUBPIXELS) + 1;
+    int64_t begin = FIRST_CENTER((int64_t)least), end = LAST_CENTER((int64_t)most) + 1;
     return (struct span){(int)(begin > 0 ? begin : 0),
                          (int)(end < (int64_t)size ? end : (int64_t)size)};
 }

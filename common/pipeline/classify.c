@@ -18,10 +18,10 @@ struct pixel_boxes {
 
 LANES_INLINE struct pixel_boxes find_boxes(const struct corners *c) {
     return (struct pixel_boxes){
-        .left = (lanes_int_min(lanes_int_min(c[0].x, c[1].x), c[2].x) + (SUBPIXELS / 2 - 1)) >> 8,
-        .right = (lanes_int_max(lanes_int_max(c[0].x, c[1].x), c[2].x) - SUBPIXELS / 2) >> 8,
-        .bottom = (lanes_int_min(lanes_int_min(c[0].y, c[1].y), c[2].y) + (SUBPIXELS / 2 - 1)) >> 8,
-        .top = (lanes_int_max(lanes_int_max(c[0].y, c[1].y), c[2].y) - SUBPIXELS / 2) >> 8,
+        .left = FIRST_CENTER(lanes_int_min(lanes_int_min(c[0].x, c[1].x), c[2].x)),
+        .right = LAST_CENTER(lanes_int_max(lanes_int_max(c[0].x, c[1].x), c[2].x)),
+        .bottom = FIRST_CENTER(lanes_int_min(lanes_int_min(c[0].y, c[1].y), c[2].y)),
+        .top = LAST_CENTER(lanes_int_max(lanes_int_max(c[0].y, c[1].y), c[2].y)),
     };
 }
 
@@ -50,7 +50,7 @@ LANES_INLINE struct tiny_edges tiny_edges(struct corners a, struct corners b, la
     lanes_int x_distance = (b.x - a.x) * sign, y_distance = (b.y - a.y) * sign;
     lanes_int x = box->left * SUBPIXELS + SUBPIXELS / 2,
               y = box->bottom * SUBPIXELS + SUBPIXELS / 2;
-    lanes_int top_left = (y_distance < 0) | ((y_distance == 0) & (x_distance < 0));
+    lanes_int top_left = IS_TOP_LEFT(x_distance, y_distance);
     return (struct tiny_edges){
         .value = (lanes_texel)x_distance * (lanes_texel)(y - a.y) -
                  (lanes_texel)y_distance * (lanes_texel)(x - a.x) - (lanes_texel)(top_left + 1),
@@ -110,9 +110,9 @@ LANES_INLINE lanes_int find_lowest(const struct corners *c) {
     lanes_int lowest = {0}, x = c[0].x, y = c[0].y;
     for (int i = 1; i < 3; i++) {
         lanes_int lower = (c[i].y < y) | ((c[i].y == y) & (c[i].x < x));
-        lowest = lanes_int_select(lower, lanes_int_all(i), lowest);
-        x = lanes_int_select(lower, c[i].x, x);
-        y = lanes_int_select(lower, c[i].y, y);
+        lowest = VECTOR_SELECT(lower, lanes_int_all(i), lowest);
+        x = VECTOR_SELECT(lower, c[i].x, x);
+        y = VECTOR_SELECT(lower, c[i].y, y);
     }
     return lowest;
 }
@@ -120,10 +120,10 @@ LANES_INLINE lanes_int find_lowest(const struct corners *c) {
 /* Before it is known which of the whole ones miss the centres. */
 LANES_INLINE lanes_int find_kinds(lanes_int all, lanes_int any, lanes_int turned_away) {
     lanes_int kind = lanes_int_all(TRIANGLE_WHOLE);
-    kind = lanes_int_select(turned_away, lanes_int_all(TRIANGLE_TURNED_AWAY), kind);
-    kind = lanes_int_select((any & (BEYOND_NEAR | BEYOND_GUARD_BAND)) != 0,
-                            lanes_int_all(TRIANGLE_CLIPPED), kind);
-    return lanes_int_select((all & BEYOND_ONE_SIDE) != 0, lanes_int_all(TRIANGLE_OUTSIDE), kind);
+    kind = VECTOR_SELECT(turned_away, lanes_int_all(TRIANGLE_TURNED_AWAY), kind);
+    kind = VECTOR_SELECT((any & (BEYOND_NEAR | BEYOND_GUARD_BAND)) != 0,
+                         lanes_int_all(TRIANGLE_CLIPPED), kind);
+    return VECTOR_SELECT((all & BEYOND_ONE_SIDE) != 0, lanes_int_all(TRIANGLE_OUTSIDE), kind);
 }
 
 LANES_INLINE void store(int32_t *to, lanes_int values) {
@@ -151,10 +151,10 @@ LANES_INLINE void classify(struct batch *batch, size_t at, const struct draw_cal
         missed |= miss_centers(c, clockwise, &whole);
     }
     missed &= kind == TRIANGLE_WHOLE;
-    store(&batch->kind[at], lanes_int_select(missed, lanes_int_all(TRIANGLE_WITHOUT_PIXEL), kind));
+    store(&batch->kind[at], VECTOR_SELECT(missed, lanes_int_all(TRIANGLE_WITHOUT_PIXEL), kind));
     lanes_int first = find_lowest(c), second = first + 1 - clockwise;
     store(&batch->first[at], first);
-    store(&batch->second[at], lanes_int_select(second > 2, second - 3, second));
+    store(&batch->second[at], VECTOR_SELECT(second > 2, second - 3, second));
     store(&batch->left[at], box.left);
     store(&batch->right[at], box.right);
     store(&batch->bottom[at], box.bottom);

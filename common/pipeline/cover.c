@@ -6,10 +6,6 @@ enum { HIGH_BOX = 8 };
 
 /* ---- Edges at the pixels of a box ---- */
 
-LANES_INLINE double4 double4_select(long4 mask, double4 a, double4 b) {
-    return (double4)((mask & (long4)a) + (~mask & (long4)b));
-}
-
 LANES_INLINE double4 to_double4(int4 whole) {
 #if LANES >= 8 && defined(__AVX2__) /* gcc 12 converts one half after the other */
     return (double4)_mm256_cvtepi32_pd((__m128i)whole);
@@ -32,13 +28,13 @@ static struct box_edges find_box_edges(const struct fixed2 c[3], int left, int b
     double4 x_distance = to_double4(bx - ax), y_distance = to_double4(by - ay);
     double4 a_right = to_double4(ax - (left * SUBPIXELS + SUBPIXELS / 2));
     double4 a_up = to_double4(ay - (bottom * SUBPIXELS + SUBPIXELS / 2));
-    long4 top_left = (y_distance < 0) | ((y_distance == 0) & (x_distance < 0));
+    long4 top_left = IS_TOP_LEFT(x_distance, y_distance);
     double4 zero = {0};
     return (struct box_edges){
         .origin = y_distance * a_right - x_distance * a_up,
         .dx = y_distance * -SUBPIXELS,
         .dy = x_distance * SUBPIXELS,
-        .least = double4_select(top_left, zero, zero + 1),
+        .least = VECTOR_SELECT(top_left, zero, zero + 1),
     };
 }
 

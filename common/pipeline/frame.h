@@ -208,8 +208,7 @@ static inline double nearest_of_depths(const double z[3]) {
 /* The columns, or rows, whose pixel centres the box of a triangle reaches, in an image without end.
  * centers_between() of raster.h, with shifts. */
 static inline struct span box_centers(int32_t a, int32_t b, int32_t c) {
-    return (struct span){(least_of(a, b, c) + SUBPIXELS / 2 - 1) >> 8,
-                         ((most_of(a, b, c) - SUBPIXELS / 2) >> 8) + 1};
+    return (struct span){FIRST_CENTER(least_of(a, b, c)), LAST_CENTER(most_of(a, b, c)) + 1};
 }
 
 static inline struct span columns_of(const struct rectangle *viewport) {

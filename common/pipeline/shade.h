@@ -231,7 +231,7 @@ LANES_INLINE void write_lanes(struct image *image, int x, int y, lanes_texel col
         if (lanes_bits(~drawn) != 0) {
             lanes_texel old;
             memcpy(&old, pixels, sizeof old);
-            color = lanes_texel_select(drawn, color, old);
+            color = VECTOR_SELECT(drawn, color, old);
         }
         memcpy(pixels, &color, sizeof color);
         return;

@@ -60,17 +60,12 @@ LANES_INLINE lanes_int lanes_int_all(int32_t value) {
     return value + (lanes_int){0};
 }
 
-/* Where the mask is set a, elsewhere b; with `+`, as in lanes_select(). */
-LANES_INLINE lanes_int lanes_int_select(lanes_int mask, lanes_int a, lanes_int b) {
-    return (mask & a) + (~mask & b);
-}
-
 LANES_INLINE lanes_int lanes_int_min(lanes_int a, lanes_int b) {
-    return lanes_int_select(a < b, a, b);
+    return VECTOR_SELECT(a < b, a, b);
 }
 
 LANES_INLINE lanes_int lanes_int_max(lanes_int a, lanes_int b) {
-    return lanes_int_select(a > b, a, b);
+    return VECTOR_SELECT(a > b, a, b);
 }
 
 LANES_INLINE lanes_int lanes_int_load(const int32_t from[LANES]) {
@@ -183,7 +178,7 @@ LANES_INLINE doubles_mask mask_above(doubles_mask m, doubles a, doubles b) {
     return _mm512_mask_cmp_pd_mask(m, (__m512d)a, (__m512d)b, _CMP_GT_OQ);
 }
 
-/* Where the mask is set a, elsewhere b. */
+/* VECTOR_SELECT() with the one instruction that there is for it. */
 LANES_INLINE doubles doubles_select(doubles_mask m, doubles a, doubles b) {
     return (doubles)_mm512_mask_blend_pd(m, (__m512d)b, (__m512d)a);
 }
@@ -220,7 +215,7 @@ LANES_INLINE doubles doubles_select(doubles_mask m, doubles a, doubles b) {
 #if LANES == 8 && defined(__AVX2__)
     return (doubles)_mm256_blendv_pd((__m256d)b, (__m256d)a, (__m256d)m);
 #else
-    return (doubles)((m & (longs)a) + (~m & (longs)b));
+    return VECTOR_SELECT(m, a, b);
 #endif
 }
 
@@ -231,7 +226,7 @@ LANES_INLINE ints ints_select(doubles_mask m, ints a, ints b) {
     return (ints)_mm_blendv_ps((__m128)b, (__m128)a, narrow);
 #else
     ints narrow = __builtin_convertvector(m, ints);
-    return (narrow & a) + (~narrow & b);
+    return VECTOR_SELECT(narrow, a, b);
 #endif
 }
 

@@ -147,7 +147,7 @@ static void test_colors(void) {
             mask[i] = -(int32_t)(random_bits(&random) % 2);
             bits |= (uint32_t)mask[i] & UINT32_C(1) << i;
         }
-        lanes_texel chosen = lanes_texel_select(mask, color, lanes_black());
+        lanes_texel chosen = VECTOR_SELECT(mask, color, lanes_black());
         right = right && lanes_bits(mask) == bits;
         for (int i = 0; i < LANES; i++) {
             uint32_t texel = (uint32_t)lanes_level(b)[i] | (uint32_t)lanes_level(g)[i] << 8 |

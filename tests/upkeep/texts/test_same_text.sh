@@ -1,7 +1,8 @@
 #!/bin/sh
 # Where a lesson writes a technique out in full and common has the same text, the two must not drift
 # apart. Compares functions without white space, comments, marks for the starter, `static`, `inline`,
-# the function's own name, and the guard band, which the house has as an argument.
+# the function's own name, the guard band, which the house has as an argument, and the top-left rule,
+# which the house has as a macro.
 . "$(dirname "$0")/../../unit/script.sh"
 
 # function FILE NAME: its definition, from its name to the brace that ends it, on one line.
@@ -12,7 +13,8 @@ function_text() {
         inside && /;$/ && text !~ /{/ { inside = 0 }   # only a declaration
         inside && /^}/ { print text; exit }' |
         sed -e "s/\\<$2\\>/FUNCTION/" -e 's/static//g' -e 's/inline//g' \
-            -e 's/, double guard_band//' -e 's/, guard_band)/)/g' |
+            -e 's/, double guard_band//' -e 's/, guard_band)/)/g' \
+            -e 's/IS_TOP_LEFT(x_distance, y_distance)/y_distance < 0 || (y_distance == 0 \&\& x_distance < 0)/' |
         tr -d ' \t'
 }
 
