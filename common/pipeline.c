@@ -19,17 +19,19 @@ bool pipeline_create(struct pipeline *pipeline, size_t width, size_t height, str
     return true;
 }
 
-static void free_columns(struct frame *frame) {
+static void free_chunks(struct frame *frame) {
     free(frame->chunks);
     frame->chunks = NULL;
-    frame->column_count = 0;
+    frame->chunk_capacity = 0;
 }
 
 static void free_workers(struct frame *frame) {
     for (size_t i = 0; frame->scratch != NULL && i < workers_count(frame->workers); i++) {
         free(frame->scratch[i].pieces);
-        free(frame->scratch[i].fetched);
+        free(frame->scratch[i].is_visible);
         free(frame->scratch[i].visible);
+        free(frame->scratch[i].colors);
+        free(frame->scratch[i].plane_index);
         free(frame->scratch[i].planes);
         free(frame->scratch[i].before);
     }
@@ -51,7 +53,7 @@ static void free_blocks(struct frame *frame) {
 void pipeline_free(struct pipeline *pipeline) {
     struct frame *frame = pipeline->frame;
     if (frame != NULL) {
-        free_columns(frame);
+        free_chunks(frame);
         free_workers(frame);
         free_blocks(frame);
         free(frame->calls);
@@ -67,35 +69,39 @@ void pipeline_free(struct pipeline *pipeline) {
     *pipeline = (struct pipeline){0};
 }
 
-/* Room for that many columns, in which nothing is visible yet. */
-static bool reserve_columns(struct frame *frame, size_t count) {
-    if (count <= frame->column_count) {
+/* Room for that many chunks, in which nothing is visible yet. */
+static bool reserve_chunks(struct frame *frame, size_t count) {
+    if (count <= frame->chunk_capacity) {
         return true;
     }
-    free_columns(frame);
+    free_chunks(frame);
     frame->chunks = aligned_alloc(CACHE_LINE, count * sizeof *frame->chunks);
     for (size_t i = 0; frame->chunks != NULL && i < count; i++) {
         frame->chunks[i].touched = UINT32_MAX;
-        column_clear(&frame->chunks[i]);
+        chunk_clear(&frame->chunks[i]);
     }
-    frame->column_count = frame->chunks != NULL ? count : 0;
+    frame->chunk_capacity = frame->chunks != NULL ? count : 0;
     return frame->chunks != NULL;
 }
 
 /* Memory for the pieces of one band: fewer than all. What is not used is not touched. */
 static bool scratch_reserve(struct scratch *scratch, const struct frame *frame) {
-    size_t pixels = chunk_columns(frame) * CHUNK * BAND_HEIGHT, count = frame->sorted_count + 1;
+    size_t pixels = chunk_count(frame) * CHUNK_WIDTH * BAND_HEIGHT, count = frame->sorted_count + 1;
     size_t visible = (count < pixels ? count : pixels) + TOGETHER; /* which are written at once */
     return array_extend(&scratch->pieces, &scratch->piece_capacity, count,
                         sizeof(struct piece *)) &&
-           array_extend(&scratch->fetched, &scratch->fetched_capacity, count,
-                        sizeof *scratch->fetched) &&
+           array_extend(&scratch->is_visible, &scratch->is_visible_capacity, count,
+                        sizeof *scratch->is_visible) &&
            array_extend(&scratch->visible, &scratch->visible_capacity, count,
                         sizeof *scratch->visible) &&
+           array_extend(&scratch->colors, &scratch->color_capacity, count,
+                        sizeof *scratch->colors) &&
+           array_extend(&scratch->plane_index, &scratch->plane_index_capacity, count,
+                        sizeof *scratch->plane_index) &&
            array_extend(&scratch->planes, &scratch->plane_capacity, visible,
                         PLANES_SIZE(VARYING_LIMIT) * sizeof *scratch->planes) &&
            (!frame->discards || array_extend(&scratch->before, &scratch->before_capacity,
-                                             chunk_columns(frame), sizeof *scratch->before));
+                                             chunk_count(frame), sizeof *scratch->before));
 }
 
 /* ---- Draw calls ---- */
@@ -210,7 +216,7 @@ static void begin_frame(struct frame *frame, struct image *image) {
 static bool reserve_bands(struct frame *frame, struct error *error) {
     size_t threads = workers_count(frame->workers);
     size_t bands = frame->kept ? band_count(frame) : threads;
-    bool reserved = reserve_columns(frame, bands * chunk_columns(frame));
+    bool reserved = reserve_chunks(frame, bands * chunk_count(frame));
     for (size_t i = 0; reserved && i < threads; i++) {
         reserved = scratch_reserve(&frame->scratch[i], frame);
     }
@@ -243,7 +249,7 @@ bool pipeline_finish(struct pipeline *p, struct image *image, struct error *erro
     }
     begin_frame(frame, image);
     if (!pipeline_order(frame, error) || !draw_rounds(frame, error)) {
-        free_columns(frame); /* in some there is something, perhaps */
+        free_chunks(frame); /* in some there is something, perhaps */
         return false;
     }
     workers_run(frame->workers, band_count(frame), pipeline_draw_band, frame);

@@ -92,8 +92,8 @@ LANES_INLINE struct clip_positions transform(const struct draw_call *call, size_
     };
 }
 
-/* What a block has of that many positions, or faces, of its call. */
-static struct index_range part_of(const struct block *block, size_t count) {
+/* The block's range of the `count` positions, or faces, of its call. */
+static struct index_range block_range(const struct block *block, size_t count) {
     size_t end = block->begin + BLOCK_SIZE < count ? block->begin + BLOCK_SIZE : count;
     return (struct index_range){block->begin < end ? block->begin : end, end};
 }
@@ -105,13 +105,13 @@ static void transform_block(void *context, size_t index, size_t worker) {
     struct recorded_call *recorded = block->call;
     const struct draw_call call =
         recorded->call; /* a copy, which nothing that is written changes */
-    const struct index_range part = part_of(block, call.model->position_count);
+    const struct index_range range = block_range(block, call.model->position_count);
     const double guard_band = recorded->guard_band;
     struct screen_position *to = frame->positions + recorded->first_position;
     double *recip_w = frame->recip_w + recorded->first_position;
     uint8_t *beyonds = frame->beyonds + recorded->first_position;
     longs any = {0};
-    for (size_t at = part.begin; at < part.end; at += TOGETHER) {
+    for (size_t at = range.begin; at < range.end; at += TOGETHER) {
         struct clip_positions clip = transform(&call, at);
         longs beyond = find_beyond(&clip, guard_band);
         longs may_be_placed = (beyond & (BEYOND_NEAR | BEYOND_GUARD_BAND)) == 0;
@@ -143,7 +143,7 @@ static bool reserve_pieces(struct block *block, size_t count) {
  * corners are listed from another one on is computed in the same way, to the last bit; and the rest
  * follows counterclockwise. Not added, but counted, where it is hidden already. */
 static void add_piece(const struct frame *frame, struct block *block, const struct batch *batch,
-                      size_t at, size_t face, size_t part, const double depth[3]) {
+                      size_t at, size_t face, size_t fan_triangle, const double depth[3]) {
     struct span columns = {batch->left[at], batch->right[at] + 1};
     struct span rows = {batch->bottom[at], batch->top[at] + 1};
     const struct screen_place place = {columns, rows, nearest_of_depths(depth)};
@@ -163,10 +163,10 @@ static void add_piece(const struct frame *frame, struct block *block, const stru
         piece->face_corner[i] = (uint8_t)order[i];
     }
     piece->face = (uint32_t)face;
-    piece->part = (uint8_t)part;
+    piece->fan_triangle = (uint8_t)fan_triangle;
     piece->call = (uint32_t)(block->call - frame->calls);
-    piece->several = bands.last > bands.first;
-    atomic_init(&piece->seen, false);
+    piece->in_several_bands = bands.last > bands.first;
+    atomic_init(&piece->shown, false);
     block->columns = span_around(block->columns, columns);
     block->rows = span_around(block->rows, rows);
 }
@@ -178,11 +178,11 @@ static void count_left_out(struct block *block, int32_t kind) {
     block->stats[STAT_FACES_WITHOUT_PIXEL] += kind == TRIANGLE_WITHOUT_PIXEL;
 }
 
-/* Triangle `part` of the fan that a clipped polygon is cut into. */
-static void add_part(const struct frame *frame, struct block *block, size_t face,
-                     const struct polygon *polygon, size_t part) {
+/* Add triangle n of the fan that a clipped polygon is cut into: corners 0, n and n + 1. */
+static void add_fan_triangle(const struct frame *frame, struct block *block, size_t face,
+                             const struct polygon *polygon, size_t n) {
     const struct draw_call *call = &block->call->call;
-    const size_t fan[3] = {0, part, part + 1};
+    const size_t fan[3] = {0, n, n + 1};
     struct batch batch = {.count = 1};
     double depth[3];
     for (int i = 0; i < 3; i++) {
@@ -198,7 +198,7 @@ static void add_part(const struct frame *frame, struct block *block, size_t face
     batch_classify(&batch, call, frame->pipeline->skip);
     count_left_out(block, batch.kind[0]);
     if (batch.kind[0] == TRIANGLE_WHOLE) {
-        add_piece(frame, block, &batch, 0, face, part, depth);
+        add_piece(frame, block, &batch, 0, face, n, depth);
     }
 }
 
@@ -211,8 +211,8 @@ static bool add_clipped_face(const struct frame *frame, struct block *block, siz
     }
     block->stats[STAT_FACES_CLIPPED]++;
     bool reserved = reserve_pieces(block, polygon.count + BATCH_SIZE);
-    for (size_t part = 1; reserved && part + 1 < polygon.count; part++) {
-        add_part(frame, block, face, &polygon, part);
+    for (size_t n = 1; reserved && n + 1 < polygon.count; n++) {
+        add_fan_triangle(frame, block, face, &polygon, n);
     }
     return reserved;
 }
@@ -317,11 +317,11 @@ static void assemble_block(void *context, size_t index, size_t worker) {
     const struct recorded_call *call = block->call;
     struct batch batch = {.count = 0}; /* beyond nothing */
     const struct face *faces = call->call.model->faces;
-    struct index_range part = part_of(block, call->call.model->face_count);
+    struct index_range range = block_range(block, call->call.model->face_count);
     bool reserved = true;
     block->stats = frame->scratch[worker].stats;
-    for (size_t first = part.begin; reserved && first < part.end; first += BATCH_SIZE) {
-        batch.count = part.end - first < BATCH_SIZE ? part.end - first : BATCH_SIZE;
+    for (size_t first = range.begin; reserved && first < range.end; first += BATCH_SIZE) {
+        batch.count = range.end - first < BATCH_SIZE ? range.end - first : BATCH_SIZE;
         fill_corners(frame, &batch, call, faces + first);
         if (call->beyond != 0) {
             fill_beyonds(frame, &batch, call, faces + first);

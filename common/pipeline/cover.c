@@ -145,7 +145,7 @@ LANES_INLINE doubles_mask cover_pixels(const struct call_band *band, const struc
 static void touch(const struct call_band *band, int x, struct span rows) {
     uint64_t before_end = (UINT64_C(1) << (rows.end - band->rows.begin)) - 1;
     int begin = rows.begin - band->rows.begin;
-    band->chunks[(size_t)x / CHUNK].touched |= (uint32_t)(before_end >> begin << begin);
+    band->chunks[(size_t)x / CHUNK_WIDTH].touched |= (uint32_t)(before_end >> begin << begin);
 }
 
 /* Some rows of a strip, the TOGETHER columns from x on. */
@@ -160,9 +160,9 @@ LANES_INLINE void cover_strip(const struct call_band *band, const struct box *bo
         seen = mask_above(seen, doubles_all(box->columns.end), at);
         e0 = doubles_select(seen, e0, doubles_all(-INFINITY));
     }
-    struct column *column = &band->chunks[(size_t)x / CHUNK];
-    double *depths = &column->depth[rows.begin - band->rows.begin][x % CHUNK];
-    uint32_t *numbers = &column->number[rows.begin - band->rows.begin][x % CHUNK];
+    struct chunk *chunk = &band->chunks[(size_t)x / CHUNK_WIDTH];
+    double *depths = &chunk->depth[rows.begin - band->rows.begin][x % CHUNK_WIDTH];
+    uint32_t *numbers = &chunk->number[rows.begin - band->rows.begin][x % CHUNK_WIDTH];
     for (int y = rows.begin; y < rows.end; y++) {
         doubles_mask inside = mask_not_below(mask_all(), e0, box->least[0]);
         inside = mask_not_below(inside, e1, box->least[1]);
@@ -176,8 +176,8 @@ LANES_INLINE void cover_strip(const struct call_band *band, const struct box *bo
         e0 += box->up[0];
         e1 += box->up[1];
         e2 += box->up[2];
-        depths += CHUNK;
-        numbers += CHUNK;
+        depths += CHUNK_WIDTH;
+        numbers += CHUNK_WIDTH;
     }
     touch(band, x, rows);
 }
@@ -214,25 +214,26 @@ static struct span rows_in_band(const struct call_band *band, struct span rows) 
 }
 
 /* Find the farthest depth of a tile in a column of chunks; beyond the image nothing is drawn. */
-static double find_farthest(const struct call_band *band, int chunk, int tile) {
-    double least[CHUNK];
-    int columns = (int)band->frame->pipeline->width - chunk * CHUNK;
+static double find_farthest(const struct call_band *band, int index, int tile) {
+    const struct chunk *chunk = &band->chunks[index];
+    double least[CHUNK_WIDTH];
+    int columns = (int)band->frame->pipeline->width - index * CHUNK_WIDTH;
     int begin = tile * TILE_HEIGHT, rows = band->rows.end - band->rows.begin - begin;
     uint32_t all = (UINT32_C(1) << (rows < TILE_HEIGHT ? rows : TILE_HEIGHT)) - 1;
-    if ((band->chunks[chunk].touched >> begin & all) != all) {
+    if ((chunk->touched >> begin & all) != all) {
         return -INFINITY;
     }
-    const double *depth = band->chunks[chunk].depth[begin];
-    for (int i = 0; i < CHUNK; i++) {
+    const double *depth = chunk->depth[begin];
+    for (int i = 0; i < CHUNK_WIDTH; i++) {
         least[i] = INFINITY;
     }
     for (int row = 0; row < rows && row < TILE_HEIGHT; row++) {
-        for (int i = 0; i < CHUNK; i++) {
+        for (int i = 0; i < CHUNK_WIDTH; i++) {
             least[i] = depth[i] < least[i] ? depth[i] : least[i];
         }
-        depth += CHUNK;
+        depth += CHUNK_WIDTH;
     }
-    for (int i = 1; i < CHUNK && i < columns; i++) {
+    for (int i = 1; i < CHUNK_WIDTH && i < columns; i++) {
         least[0] = least[i] < least[0] ? least[i] : least[0];
     }
     return least[0];
@@ -241,7 +242,7 @@ static double find_farthest(const struct call_band *band, int chunk, int tile) {
 /* After a call, where it has changed something. */
 static void update_farthest(const struct call_band *band) {
     struct span columns = band->columns, rows = rows_in_band(band, band->changed_rows);
-    for (int x = columns.begin / CHUNK; x * CHUNK < columns.end; x++) {
+    for (int x = columns.begin / CHUNK_WIDTH; x * CHUNK_WIDTH < columns.end; x++) {
         for (int tile = rows.begin / TILE_HEIGHT; tile * TILE_HEIGHT < rows.end; tile++) {
             band->chunks[x].farthest[tile] = find_farthest(band, x, tile);
         }
@@ -306,10 +307,10 @@ static void shade(const struct call_band *band) {
 /* Keep what is visible in some rows of the columns, for what is discarded. */
 static void keep_before(const struct call_band *band, struct span rows) {
     int begin = rows.begin - band->rows.begin;
-    size_t count = (size_t)(rows.end - rows.begin) * CHUNK;
-    for (int x = band->columns.begin / CHUNK; x * CHUNK < band->columns.end; x++) {
-        const struct column *now = &band->chunks[x];
-        struct column *before = &band->scratch->before[x];
+    size_t count = (size_t)(rows.end - rows.begin) * CHUNK_WIDTH;
+    for (int x = band->columns.begin / CHUNK_WIDTH; x * CHUNK_WIDTH < band->columns.end; x++) {
+        const struct chunk *now = &band->chunks[x];
+        struct chunk *before = &band->scratch->before[x];
         memcpy(before->depth[begin], now->depth[begin], count * sizeof now->depth[0][0]);
         memcpy(before->number[begin], now->number[begin], count * sizeof now->number[0][0]);
     }
@@ -328,7 +329,7 @@ static void draw_pieces(struct call_band *band) {
             keep_before(band, span_overlap(box_centers(c[0].y, c[1].y, c[2].y), band->rows));
         }
         cover_piece(band, (uint32_t)i + 1, how);
-        band->scratch->fetched[i + 1] = 1;
+        band->scratch->is_visible[i + 1] = true;
         shade(band);
     }
 }
@@ -350,14 +351,15 @@ static void cover_call(struct call_band *band) {
 
 /* Mark the pieces of which a pixel is visible. */
 static void mark_visible(const struct call_band *band) {
-    memset(band->scratch->fetched, 0, ((size_t)band->numbers.end + 1) * sizeof(uint32_t));
-    for (size_t i = 0; i < chunk_columns(band->frame); i++) {
+    bool *is_visible = band->scratch->is_visible;
+    memset(is_visible, 0, ((size_t)band->numbers.end + 1) * sizeof *is_visible);
+    for (size_t i = 0; i < chunk_count(band->frame); i++) {
         const uint32_t *number = band->chunks[i].number[0];
         for (uint32_t rows = band->chunks[i].touched; rows != 0; rows >>= 1) {
-            for (int k = 0; (rows & 1) != 0 && k < CHUNK; k++) {
-                band->scratch->fetched[number[k]] = 1;
+            for (int k = 0; (rows & 1) != 0 && k < CHUNK_WIDTH; k++) {
+                is_visible[number[k]] = true;
             }
-            number += CHUNK;
+            number += CHUNK_WIDTH;
         }
     }
 }
@@ -367,7 +369,7 @@ static void keep_depth(const struct call_band *band) {
     for (int y = band->rows.begin; y < band->rows.end; y++) {
         for (size_t x = 0; x < p->width; x++) {
             p->depth[(size_t)y * p->width + x] =
-                band->chunks[x / CHUNK].depth[y - band->rows.begin][x % CHUNK];
+                band->chunks[x / CHUNK_WIDTH].depth[y - band->rows.begin][x % CHUNK_WIDTH];
         }
     }
 }
@@ -441,7 +443,7 @@ static struct call_band begin_band(struct frame *frame, size_t index, size_t wor
     return (struct call_band){
         .frame = frame,
         .rows = {bottom, height - bottom < BAND_HEIGHT ? height : bottom + BAND_HEIGHT},
-        .chunks = frame->chunks + (frame->kept ? index : worker) * chunk_columns(frame),
+        .chunks = frame->chunks + (frame->kept ? index : worker) * chunk_count(frame),
         .scratch = &frame->scratch[worker],
         .stats = frame->scratch[worker].stats,
     };
@@ -464,7 +466,7 @@ void pipeline_draw_band(void *context, size_t index, size_t worker) {
     if (frame->pipeline->depth != NULL) {
         keep_depth(&band);
     }
-    for (size_t i = 0; i < chunk_columns(frame); i++) {
-        column_clear(&band.chunks[i]);
+    for (size_t i = 0; i < chunk_count(frame); i++) {
+        chunk_clear(&band.chunks[i]);
     }
 }

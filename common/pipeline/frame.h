@@ -23,7 +23,7 @@ _Static_assert(BAND_HEIGHT <= 32, "`touched` has a bit for each row");
 
 /* A row is divided into chunks of this many pixels, for however many LANES: what is touched is
  * known by the chunk; and what is farthest, by the tile of some chunks one above the other. */
-enum { CHUNK = 16, TILE_HEIGHT = 8, BAND_TILES = BAND_HEIGHT / TILE_HEIGHT };
+enum { CHUNK_WIDTH = 16, TILE_HEIGHT = 8, BAND_TILES = BAND_HEIGHT / TILE_HEIGHT };
 _Static_assert(BAND_HEIGHT % TILE_HEIGHT == 0, "no tile lies in two bands");
 
 /* ---- Draw calls and pieces ---- */
@@ -63,10 +63,10 @@ struct piece {
     struct fixed2 corner[3]; /* counterclockwise; the lowest first, of those the leftmost */
     double depth[3];
     uint32_t face, call;
-    uint8_t face_corner[3]; /* which corner of the face, or of the part, each corner is */
-    uint8_t part;           /* 0: a whole face; n: triangle n of the fan of a clipped one */
-    bool several;           /* it reaches several bands */
-    atomic_bool seen;       /* one of these has shown a pixel of it */
+    uint8_t face_corner[3]; /* which corner of the face, or of the fan's triangle, each is */
+    uint8_t fan_triangle;   /* 0: a whole face; n: triangle n of a clipped face's fan */
+    bool in_several_bands;
+    atomic_bool shown; /* one of these bands shows a pixel of it */
 };
 
 /* The positions and the faces of a call are shared out among threads in blocks of this many. */
@@ -90,24 +90,25 @@ struct block {
 
 /* What is visible, so far, of a band's chunks in one column. (Behind the last number, one more is
  * read: see find_runs().) */
-struct column {
-    double depth[BAND_HEIGHT][CHUNK];    /* minus infinity: nothing is drawn */
-    uint32_t number[BAND_HEIGHT][CHUNK]; /* of the piece: see struct scratch; 0: nothing is drawn */
-    double farthest[BAND_TILES];         /* of each tile: at most every pixel's depth */
-    uint32_t touched;                    /* bit i: something may be drawn in row i */
+struct chunk {
+    double depth[BAND_HEIGHT][CHUNK_WIDTH]; /* minus infinity: nothing is drawn */
+    uint32_t number[BAND_HEIGHT]
+                   [CHUNK_WIDTH]; /* of the piece: see struct scratch; 0: nothing is drawn */
+    double farthest[BAND_TILES];  /* of each tile: at most every pixel's depth */
+    uint32_t touched;             /* bit i: something may be drawn in row i */
     char apart[CACHE_LINE - BAND_TILES * sizeof(double) - sizeof(uint32_t)];
 };
 
 /* Make it what it was: nothing is drawn. Only what was touched has changed. */
-static inline void column_clear(struct column *column) {
-    for (int row = 0; column->touched != 0; row++, column->touched >>= 1) {
-        for (int i = 0; (column->touched & 1) != 0 && i < CHUNK; i++) {
-            column->depth[row][i] = -INFINITY;
-            column->number[row][i] = 0;
+static inline void chunk_clear(struct chunk *chunk) {
+    for (int row = 0; chunk->touched != 0; row++, chunk->touched >>= 1) {
+        for (int i = 0; (chunk->touched & 1) != 0 && i < CHUNK_WIDTH; i++) {
+            chunk->depth[row][i] = -INFINITY;
+            chunk->number[row][i] = 0;
         }
     }
     for (int tile = 0; tile < BAND_TILES; tile++) {
-        column->farthest[tile] = -INFINITY;
+        chunk->farthest[tile] = -INFINITY;
     }
 }
 
@@ -115,13 +116,14 @@ static inline void column_clear(struct column *column) {
  * on, one draw call's after the other's. */
 struct scratch {
     struct piece **pieces; /* number n is pieces[n - 1] */
-    /* By number: 0 while nothing of the piece is visible, otherwise 1; and once its draw call is
-     * shaded, what was fetched for it: the colour of a flat piece, or where its planes are. */
-    uint32_t *fetched;
-    uint32_t *visible;     /* the numbers of a draw call's visible pieces */
-    real *planes;          /* and their planes: see planes_of() */
-    struct column *before; /* where a shader discards: what was visible without its piece */
-    size_t piece_capacity, fetched_capacity, visible_capacity, plane_capacity, before_capacity;
+    bool *is_visible;      /* [number]: some pixel of the band shows the piece */
+    uint32_t *visible;     /* the numbers of a draw call's visible pieces, in their order */
+    uint32_t *colors;      /* [number]: of a visible piece whose shader is flat */
+    uint32_t *plane_index; /* [number]: of a visible piece of other shaders: see planes_of() */
+    real *planes;
+    struct chunk *before; /* where a shader discards: what was visible without its piece */
+    size_t piece_capacity, is_visible_capacity, visible_capacity, color_capacity;
+    size_t plane_index_capacity, plane_capacity, before_capacity;
     uint64_t stats[PIPELINE_STATS];
     char apart[2 * CACHE_LINE]; /* from the next thread's */
 };
@@ -130,7 +132,7 @@ struct scratch {
 struct call_band {
     const struct frame *frame;
     struct span rows;
-    struct column *chunks; /* of the whole band */
+    struct chunk *chunks; /* of the whole band */
     struct scratch *scratch;
     uint64_t *stats;
     const struct recorded_call *call;
@@ -172,9 +174,9 @@ struct frame {
     size_t sorted_count;   /* entries of all `sorted` */
     atomic_bool exhausted; /* a thread ran out of memory */
     /* Drawn: */
-    struct column *chunks;   /* of one band a thread or, if `kept`, of all bands */
+    struct chunk *chunks;    /* of one band a thread or, if `kept`, of all bands */
     struct scratch *scratch; /* one a thread; NULL before the first frame */
-    size_t column_count;
+    size_t chunk_capacity;
 };
 
 /* Are the pixels of a shader shaded while they are covered? */
@@ -186,8 +188,8 @@ static inline size_t band_count(const struct frame *frame) {
     return (frame->pipeline->height + BAND_HEIGHT - 1) / BAND_HEIGHT;
 }
 
-static inline size_t chunk_columns(const struct frame *frame) {
-    return (frame->pipeline->width + CHUNK - 1) / CHUNK;
+static inline size_t chunk_count(const struct frame *frame) {
+    return (frame->pipeline->width + CHUNK_WIDTH - 1) / CHUNK_WIDTH;
 }
 
 static inline struct span span_around(struct span a, struct span b) {
@@ -221,11 +223,12 @@ static inline struct span rows_of(const struct rectangle *viewport) {
 
 /* Is everything in a place behind what is shown in every tile that it reaches? Rows are counted
  * from the lowest one of the first of these bands. */
-static inline bool is_behind(const struct frame *frame, const struct column *bands,
+static inline bool is_behind(const struct frame *frame, const struct chunk *bands,
                              const struct screen_place *place) {
     for (int y = place->rows.begin / TILE_HEIGHT; y * TILE_HEIGHT < place->rows.end; y++) {
-        const struct column *band = bands + (size_t)(y / BAND_TILES) * chunk_columns(frame);
-        for (int x = place->columns.begin / CHUNK; x * CHUNK < place->columns.end; x++) {
+        const struct chunk *band = bands + (size_t)(y / BAND_TILES) * chunk_count(frame);
+        for (int x = place->columns.begin / CHUNK_WIDTH; x * CHUNK_WIDTH < place->columns.end;
+             x++) {
             if (!(place->nearest < band[x].farthest[y % BAND_TILES])) {
                 return false;
             }

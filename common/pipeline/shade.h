@@ -32,12 +32,12 @@ LANES_INLINE void put_corner(const struct call_band *band, const struct shader *
     }
 }
 
-/* The same for the corners of a part of a clipped face: mixed from those of the face. */
+/* The corners of a triangle that clipping left of a face: mixed from the corners of the face. */
 LANES_INLINE void put_clipped_corners(const struct call_band *band, const struct shader *shader,
                                       const struct piece *piece, struct corners_together *to,
                                       size_t i) {
     struct polygon polygon = pipeline_clip_face(band->call, piece->face);
-    const size_t fan[3] = {0, piece->part, piece->part + 1U};
+    const size_t fan[3] = {0, piece->fan_triangle, piece->fan_triangle + 1U};
     double whole[3][VARYING_LIMIT];
     for (size_t c = 0; c < 3; c++) {
         shader->vertex(band->uniforms, piece->face, shader->flat ? 0 : c, whole[c]);
@@ -59,20 +59,21 @@ LANES_INLINE void put_corners(const struct call_band *band, const struct shader 
     for (size_t c = 0; c < 3; c++) {
         to->x[c][i] = piece->corner[c].x;
         to->y[c][i] = piece->corner[c].y;
-        if (piece->part == 0) {
+        if (piece->fan_triangle == 0) {
             put_corner(band, shader, piece->face, piece->face_corner[c], to, c, i);
         }
     }
-    if (piece->part != 0) {
+    if (piece->fan_triangle != 0) {
         put_clipped_corners(band, shader, piece, to, i);
     }
 }
 
-/* The piece of a number, seen: some pixel of it is visible, so it is not hidden, for the first band
- * that shows it. */
-static inline const struct piece *see_piece(const struct call_band *band, uint32_t number) {
+/* A visible piece of a number was counted as hidden, as all are at first: take it out of that count,
+ * once, whichever of its bands comes first. */
+static inline const struct piece *uncount_hidden(const struct call_band *band, uint32_t number) {
     struct piece *piece = band->scratch->pieces[number - 1];
-    band->stats[STAT_FACES_HIDDEN] -= !piece->several || !atomic_exchange(&piece->seen, true);
+    bool is_first = !piece->in_several_bands || !atomic_exchange(&piece->shown, true);
+    band->stats[STAT_FACES_HIDDEN] -= is_first;
     return piece;
 }
 
@@ -83,7 +84,7 @@ LANES_INLINE uint32_t list_visible(const struct call_band *band) {
     for (uint32_t number = (uint32_t)band->numbers.begin + 1; number <= (uint32_t)band->numbers.end;
          number++) {
         visible[count] = number;
-        count += band->scratch->fetched[number];
+        count += band->scratch->is_visible[number];
     }
     return count;
 }
@@ -111,8 +112,9 @@ LANES_INLINE void fetch_planes(const struct call_band *band, const struct shader
     struct corners_together corners = {0};
     for (uint32_t i = 0; i < count; i++) {
         expect_pieces(band, visible + i, count - i);
-        band->scratch->fetched[visible[i]] = i;
-        put_corners(band, shader, see_piece(band, visible[i]), &corners, i % TOGETHER);
+        const struct piece *piece = uncount_hidden(band, visible[i]);
+        band->scratch->plane_index[visible[i]] = i;
+        put_corners(band, shader, piece, &corners, i % TOGETHER);
         if (i % TOGETHER == TOGETHER - 1 || i == count - 1) {
             find_planes(&corners, shader,
                         band->scratch->planes +
@@ -144,8 +146,9 @@ LANES_INLINE void fetch_colors(const struct call_band *band, const struct shader
         lanes varyings[VARYING_LIMIT];
         lanes_texel colors;
         for (uint32_t i = 0; i < some; i++) {
+            const struct piece *piece = uncount_hidden(band, visible[first + i]);
             double asked[VARYING_LIMIT];
-            shader->vertex(band->uniforms, see_piece(band, visible[first + i])->face, 0, asked);
+            shader->vertex(band->uniforms, piece->face, 0, asked);
             for (size_t k = 0; k < shader->varying_count; k++) {
                 values[k][i] = (real)asked[k];
             }
@@ -154,7 +157,7 @@ LANES_INLINE void fetch_colors(const struct call_band *band, const struct shader
         prepare_varyings(band, shader, varyings);
         shader->fragment(band->uniforms, varyings, &colors);
         for (uint32_t i = 0; i < some; i++) {
-            band->scratch->fetched[visible[first + i]] = lanes_texel_at(colors, (int)i);
+            band->scratch->colors[visible[first + i]] = lanes_texel_at(colors, (int)i);
         }
     }
 }
@@ -269,18 +272,18 @@ LANES_INLINE bool gather_varyings(const struct call_band *band, const struct sha
                                   const uint32_t number[LANES + 1], int x, int y, lanes *varyings) {
     struct lanes_planes planes;
     const real *all = band->scratch->planes;
-    const uint32_t *fetched = band->scratch->fetched;
+    const uint32_t *plane_index = band->scratch->plane_index;
     const lanes columns = lanes_from(x);
     bool found = has_number(band, number[0]);
     clear_planes(&planes, shader);
     if (found) {
-        take_planes(&planes, 0, shader, planes_of(all, shader, fetched[number[0]]), columns,
+        take_planes(&planes, 0, shader, planes_of(all, shader, plane_index[number[0]]), columns,
                     (real)y);
     }
     for (uint32_t runs = find_runs(number); runs != 0; runs &= runs - 1) {
         int first = __builtin_ctz(runs);
         if (has_number(band, number[first])) {
-            take_planes(&planes, first, shader, planes_of(all, shader, fetched[number[first]]),
+            take_planes(&planes, first, shader, planes_of(all, shader, plane_index[number[first]]),
                         columns, (real)y);
             found = true;
         }
@@ -320,9 +323,9 @@ LANES_INLINE bool gather_pixels(const struct call_band *band, const struct shade
  * Returns the others. */
 LANES_INLINE lanes_int take_back(const struct call_band *band, const struct pixels *pixels,
                                  lanes_mask kept) {
-    size_t column = (size_t)pixels->x / CHUNK, first = (size_t)pixels->x % CHUNK;
+    size_t chunk = (size_t)pixels->x / CHUNK_WIDTH, first = (size_t)pixels->x % CHUNK_WIDTH;
     int row = pixels->y - band->rows.begin;
-    struct column *now = &band->chunks[column], *before = &band->scratch->before[column];
+    struct chunk *now = &band->chunks[chunk], *before = &band->scratch->before[chunk];
     lanes_int drawn = pixels->drawn;
     for (int i = 0; i < LANES; i++) {
         if (drawn[i] != 0 && !lanes_is_set(kept, i)) {
@@ -339,7 +342,7 @@ LANES_INLINE void shade_pixels(const struct call_band *band, const struct shader
     lanes_texel color;
     lanes_int drawn = pixels->drawn;
     if (has_colors(shader)) { /* colours of other draw calls are of no use */
-        color = lanes_fetch(band->scratch->fetched, pixels->number);
+        color = lanes_fetch(band->scratch->colors, pixels->number);
     } else {
         lanes_mask kept = shader->fragment(band->uniforms, pixels->varyings, &color);
         drawn = shader->discards ? take_back(band, pixels, kept) : drawn;
@@ -353,9 +356,9 @@ LANES_INLINE void shade_pixels(const struct call_band *band, const struct shader
  * frame.) Returns how many pixels there were in each column. */
 LANES_INLINE lanes_int shade_columns(const struct call_band *band, const struct shader *shader,
                                      int x) {
-    const struct column *column = &band->chunks[(size_t)x / CHUNK];
-    const uint32_t *number = column->number[0] + x % CHUNK;
-    uint32_t touched = column->touched;
+    const struct chunk *chunk = &band->chunks[(size_t)x / CHUNK_WIDTH];
+    const uint32_t *number = chunk->number[0] + x % CHUNK_WIDTH;
+    uint32_t touched = chunk->touched;
     struct pixels pixels[BAND_HEIGHT];
     int count = 0;
     lanes_int shaded = {0};
@@ -368,7 +371,7 @@ LANES_INLINE lanes_int shade_columns(const struct call_band *band, const struct 
                 count++;
             }
         }
-        number += CHUNK;
+        number += CHUNK_WIDTH;
         touched >>= 1;
     }
     for (int i = 0; i < count; i++) {
@@ -388,7 +391,8 @@ LANES_INLINE void shade_visible(const struct call_band *band, const struct shade
     if (fetch_visible(band, shader) == 0) {
         return;
     }
-    for (int x = band->columns.begin / CHUNK * CHUNK; x < band->columns.end; x += LANES) {
+    for (int x = band->columns.begin / CHUNK_WIDTH * CHUNK_WIDTH; x < band->columns.end;
+         x += LANES) {
         shaded += shade_columns(band, shader, x);
     }
     band->stats[STAT_PIXELS_SHADED] += lanes_sum(shaded);

@@ -266,7 +266,8 @@ static void keep_lit_pixels(const struct kept *kept) {
 }
 
 static bool find_highlights(struct error *error) {
-    struct kept kept = {.capacity = (size_t)SIDE * (SIDE + CHUNK) / LANES}; /* of a whole picture */
+    struct kept kept = {.capacity =
+                            (size_t)SIDE * (SIDE + CHUNK_WIDTH) / LANES}; /* of a whole picture */
     struct keeping keeping = {&work.lit.u, &kept};
     kept.calls = bench_memory(kept.capacity, sizeof *kept.calls);
     bool done = draw(&work.bust, bust_eye, &keeping_shader, &keeping, sizeof keeping);
