@@ -18,7 +18,7 @@ bool image_decode(struct image *image, const void *data, size_t size, struct err
         return tga_decode(image, data, size, error);
     }
     *image = (struct image){0};
-    if (error_known_file(error, data, size, false)) {
+    if (known_recognize(data, size, false, error)) {
         return false;
     }
     return error_set(error, "neither a PNG nor a TGA of a type that is supported");

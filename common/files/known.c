@@ -60,14 +60,14 @@ static bool is_binary_stl(const uint8_t *data, size_t size) {
 }
 
 /* Without advice for a model where a picture was wanted, or the other way round. */
-static bool error_kind(struct error *error, const char *what, enum kind kind, bool model_wanted) {
+static void write_message(struct error *error, const char *what, enum kind kind,
+                          bool model_wanted) {
     const char *wanted = model_wanted ? "an OBJ or OFF file" : "a PNG or TGA file";
     bool helps = kind != (model_wanted ? PICTURE : MODEL);
     error_set(error, "%s, not %s%s%s", what, wanted, helps ? ": " : "", helps ? advices[kind] : "");
-    return true;
 }
 
-bool error_known_file(struct error *error, const void *data, size_t size, bool model_wanted) {
+bool known_recognize(const void *data, size_t size, bool model_wanted, struct error *error) {
     const uint8_t *start = data;
     const size_t bom = size >= 3 && memcmp(start, "\xEF\xBB\xBF", 3) == 0 ? 3 : 0;
     size_t blanks = bom;
@@ -79,8 +79,13 @@ bool error_known_file(struct error *error, const void *data, size_t size, bool m
         size_t at = blanks + known->at;
         if (at < size &&
             word_begins((struct word){(const char *)data + at, size - at}, known->begins)) {
-            return error_kind(error, known->what, known->kind, model_wanted);
+            write_message(error, known->what, known->kind, model_wanted);
+            return true;
         }
     }
-    return is_binary_stl(data, size) && error_kind(error, "a binary STL file", MODEL, model_wanted);
+    if (is_binary_stl(data, size)) {
+        write_message(error, "a binary STL file", MODEL, model_wanted);
+        return true;
+    }
+    return false;
 }

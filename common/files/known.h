@@ -7,8 +7,8 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* Does the file begin like a file of a known kind? Then the message names it, and says what helps;
- * what was wanted is a model or a picture. Otherwise the message stays as it is. */
-bool error_known_file(struct error *error, const void *data, size_t size, bool model_wanted);
+/* Does the file begin like a file of a known kind? If so, the message names that kind and says what
+ * helps, where a model or else a picture was wanted; otherwise the message stays as it is. */
+bool known_recognize(const void *data, size_t size, bool model_wanted, struct error *error);
 
 #endif

@@ -68,7 +68,7 @@ static bool decode(struct model *model, const char *path, const void *data, size
     }
     if (!done) {
         model_free(model);
-        (void)(!is_off && error_known_file(error, data, size, true));
+        (void)(!is_off && known_recognize(data, size, true, error));
     }
     return done;
 }
