@@ -8,8 +8,8 @@
  *     }
  *     faces[count++] = face;
  */
-#ifndef COMMON_ARRAY_H
-#define COMMON_ARRAY_H
+#ifndef COMMON_BASE_ARRAY_H
+#define COMMON_BASE_ARRAY_H
 
 #include <stdbool.h>
 #include <stddef.h>

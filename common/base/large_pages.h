@@ -4,8 +4,8 @@
  * hundredths of a second spends more than half of its time on that. Large pages also make it faster
  * to read memory here and there: a processor remembers where some thousand pages are.
  */
-#ifndef COMMON_LARGE_PAGES_H
-#define COMMON_LARGE_PAGES_H
+#ifndef COMMON_BASE_LARGE_PAGES_H
+#define COMMON_BASE_LARGE_PAGES_H
 
 #include <stddef.h>
 

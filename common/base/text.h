@@ -6,8 +6,8 @@
  * that); it also ends a word, and in a comment it means nothing. Nothing is copied: words point
  * into the text that the caller keeps. The work is linear in the size of the text.
  */
-#ifndef COMMON_TEXT_H
-#define COMMON_TEXT_H
+#ifndef COMMON_BASE_TEXT_H
+#define COMMON_BASE_TEXT_H
 
 #include "base/bytes.h"
 #include "base/file.h"

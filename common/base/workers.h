@@ -9,8 +9,8 @@
  * Each worker begins with its own share, parts next to each other, the same ones in each loop
  * of as many parts: what it has written or read in one is often still in its cache in the next.
  */
-#ifndef COMMON_WORKERS_H
-#define COMMON_WORKERS_H
+#ifndef COMMON_BASE_WORKERS_H
+#define COMMON_BASE_WORKERS_H
 
 #include <stddef.h>
 

@@ -4,8 +4,8 @@
  * Formats: L. P. Deutsch, "DEFLATE Compressed Data Format Specification version 1.3" (RFC 1951) and
  * L. P. Deutsch, J.-L. Gailly, "ZLIB Compressed Data Format Specification version 3.3" (RFC 1950).
  */
-#ifndef COMMON_DEFLATE_H
-#define COMMON_DEFLATE_H
+#ifndef COMMON_FILES_DEFLATE_H
+#define COMMON_FILES_DEFLATE_H
 
 #include "base/bytes.h"
 #include "base/error.h"

@@ -1,6 +1,6 @@
 /* Where a model lies, and moving it to where the lessons look: turned, and into -1..1. */
-#ifndef COMMON_FIT_H
-#define COMMON_FIT_H
+#ifndef COMMON_FILES_FIT_H
+#define COMMON_FILES_FIT_H
 
 #include "geometry.h"
 #include "model.h"

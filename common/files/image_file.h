@@ -3,8 +3,8 @@
  *
  * A new output format is one row of the table in image_file.c, and its writer.
  */
-#ifndef COMMON_IMAGE_FILE_H
-#define COMMON_IMAGE_FILE_H
+#ifndef COMMON_FILES_IMAGE_FILE_H
+#define COMMON_FILES_IMAGE_FILE_H
 
 #include "base/error.h"
 #include "tgaimage.h"

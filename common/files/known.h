@@ -1,6 +1,6 @@
 /* What a file is that no reader here reads, for messages. */
-#ifndef COMMON_KNOWN_H
-#define COMMON_KNOWN_H
+#ifndef COMMON_FILES_KNOWN_H
+#define COMMON_FILES_KNOWN_H
 
 #include "base/error.h"
 

@@ -12,8 +12,8 @@
  * or faces have colours, the others are white. UTF-16 is read as UTF-8. Of files of materials: see
  * mtl.h.
  */
-#ifndef COMMON_MODEL_FILE_H
-#define COMMON_MODEL_FILE_H
+#ifndef COMMON_FILES_MODEL_FILE_H
+#define COMMON_FILES_MODEL_FILE_H
 
 #include "base/error.h"
 #include "model.h"

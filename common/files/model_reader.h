@@ -5,8 +5,8 @@
  * All functions that can fail return false with a message, and the line where there is one. An
  * element takes some bytes of the file, so the file's size bounds the memory.
  */
-#ifndef COMMON_MODEL_READER_H
-#define COMMON_MODEL_READER_H
+#ifndef COMMON_FILES_MODEL_READER_H
+#define COMMON_FILES_MODEL_READER_H
 
 #include "base/error.h"
 #include "base/text.h"

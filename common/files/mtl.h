@@ -6,8 +6,8 @@
  * others as d, between 0 and 1, or map_d) is opaque, with a warning. All else is passed over, and
  * so is what cannot be read.
  */
-#ifndef COMMON_MTL_H
-#define COMMON_MTL_H
+#ifndef COMMON_FILES_MTL_H
+#define COMMON_FILES_MTL_H
 
 #include "base/error.h"
 #include "base/text.h"

@@ -1,6 +1,6 @@
 /* Normals computed from the faces of a model, for files that bring none; colours from normals. */
-#ifndef COMMON_NORMALS_H
-#define COMMON_NORMALS_H
+#ifndef COMMON_FILES_NORMALS_H
+#define COMMON_FILES_NORMALS_H
 
 #include "base/error.h"
 #include "geometry.h"

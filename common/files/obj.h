@@ -2,8 +2,8 @@
  * OBJ files, for model_file.c (Wavefront Technologies, "Advanced Visualizer Manual", appendix B1
  * "Object Files (.obj)"). What is read of them: see model_file.h.
  */
-#ifndef COMMON_OBJ_H
-#define COMMON_OBJ_H
+#ifndef COMMON_FILES_OBJ_H
+#define COMMON_FILES_OBJ_H
 
 #include "model.h"
 

@@ -8,8 +8,8 @@
  * numbers behind its corners are a colour: so of a file that is all one line, only one face can be
  * read, and more are refused.
  */
-#ifndef COMMON_OFF_H
-#define COMMON_OFF_H
+#ifndef COMMON_FILES_OFF_H
+#define COMMON_FILES_OFF_H
 
 #include "model.h"
 

@@ -4,8 +4,8 @@
  * Formats: W3C, "Portable Network Graphics (PNG) Specification", third edition; deflate: RFC 1951;
  * zlib container: RFC 1950. Both directions are written here, so that the course needs no library.
  */
-#ifndef COMMON_PNG_H
-#define COMMON_PNG_H
+#ifndef COMMON_FILES_PNG_H
+#define COMMON_FILES_PNG_H
 
 #include "base/bytes.h"
 #include "base/error.h"

@@ -13,8 +13,8 @@
  *     }
  *     polygon_cutter_free(&cutter);
  */
-#ifndef COMMON_POLYGON_H
-#define COMMON_POLYGON_H
+#ifndef COMMON_FILES_POLYGON_H
+#define COMMON_FILES_POLYGON_H
 
 #include "geometry.h"
 

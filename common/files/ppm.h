@@ -4,8 +4,8 @@
  *
  * Format: the manual pages ppm(5) and pgm(5) of Netpbm.
  */
-#ifndef COMMON_PPM_H
-#define COMMON_PPM_H
+#ifndef COMMON_FILES_PPM_H
+#define COMMON_FILES_PPM_H
 
 #include "base/bytes.h"
 #include "base/error.h"

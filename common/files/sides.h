@@ -1,6 +1,6 @@
 /* Faces seen from both sides, for files in which some look outwards and some inwards. */
-#ifndef COMMON_SIDES_H
-#define COMMON_SIDES_H
+#ifndef COMMON_FILES_SIDES_H
+#define COMMON_FILES_SIDES_H
 
 #include "base/error.h"
 #include "model.h"

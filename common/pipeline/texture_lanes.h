@@ -1,6 +1,6 @@
 /* The bilinear sample of texture.h for several pixels at once: see lanes.h. */
-#ifndef COMMON_TEXTURE_LANES_H
-#define COMMON_TEXTURE_LANES_H
+#ifndef COMMON_PIPELINE_TEXTURE_LANES_H
+#define COMMON_PIPELINE_TEXTURE_LANES_H
 
 #include "pipeline/vectors.h"
 #include "texture.h"

@@ -13,8 +13,8 @@
  * or a line `error MESSAGE`. Before the first request one line of JSON says which scenes there are,
  * and what can be changed in each (live_describe()).
  */
-#ifndef COMMON_LIVE_H
-#define COMMON_LIVE_H
+#ifndef COMMON_RUN_LIVE_H
+#define COMMON_RUN_LIVE_H
 
 #include "base/bytes.h"
 #include "run/scene.h"

@@ -2,8 +2,8 @@
  * What was written in lessons 1 and 3, for the lessons that follow: `make LINE=mine`. Each lesson's
  * mine.c gives its functions these names. The house versions are those of raster.h.
  */
-#ifndef COMMON_MINE_H
-#define COMMON_MINE_H
+#ifndef COMMON_RUN_MINE_H
+#define COMMON_RUN_MINE_H
 
 #include "raster.h"
 #include "tgaimage.h"

@@ -4,8 +4,8 @@
  * options.c has them in one table: a name, what it wants, a line of help, a function that
  * reads it. To add an option: a row there and a field here.
  */
-#ifndef COMMON_OPTIONS_H
-#define COMMON_OPTIONS_H
+#ifndef COMMON_RUN_OPTIONS_H
+#define COMMON_RUN_OPTIONS_H
 
 #include "files/image_file.h"
 #include "run/scene.h"

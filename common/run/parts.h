@@ -1,6 +1,6 @@
 /* The parts of a model: the faces of each of its materials, with their textures. */
-#ifndef COMMON_PARTS_H
-#define COMMON_PARTS_H
+#ifndef COMMON_RUN_PARTS_H
+#define COMMON_RUN_PARTS_H
 
 #include "base/error.h"
 #include "run/scene.h"

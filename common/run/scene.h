@@ -2,8 +2,8 @@
  * What a program is made of: its scenes, what each of them needs, and what its draw function gets.
  * program.h runs it; read that first.
  */
-#ifndef COMMON_SCENE_H
-#define COMMON_SCENE_H
+#ifndef COMMON_RUN_SCENE_H
+#define COMMON_RUN_SCENE_H
 
 #include "base/error.h"
 #include "geometry.h"

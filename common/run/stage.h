@@ -2,8 +2,8 @@
  * A scene on its stage: everything it needs is loaded, and it can be drawn again and again. Private
  * to program.c and live.c.
  */
-#ifndef COMMON_STAGE_H
-#define COMMON_STAGE_H
+#ifndef COMMON_RUN_STAGE_H
+#define COMMON_RUN_STAGE_H
 
 #include "run/options.h"
 #include "run/parts.h"

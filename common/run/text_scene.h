@@ -11,8 +11,8 @@
  * has whole-number coordinates; a scene of triangles may have fractions, and takes one colour or
  * three. Coordinates lie in -1,000,000..1,000,000, colours are whole numbers 0..255.
  */
-#ifndef COMMON_TEXT_SCENE_H
-#define COMMON_TEXT_SCENE_H
+#ifndef COMMON_RUN_TEXT_SCENE_H
+#define COMMON_RUN_TEXT_SCENE_H
 
 #include "base/error.h"
 #include "tgaimage.h"

@@ -9,8 +9,8 @@
  * Every function here uses sums, products, quotients, square roots and floor only. All of these are
  * rounded the same way on every machine, so every machine sculpts the same bytes.
  */
-#ifndef MODELS_CLAY_H
-#define MODELS_CLAY_H
+#ifndef COMMON_SCULPTOR_CLAY_H
+#define COMMON_SCULPTOR_CLAY_H
 
 #include "geometry.h"
 

@@ -3,8 +3,8 @@
  *
  * Only the sitter's left half (x >= 0) is described; the other half is its mirror image.
  */
-#ifndef MODELS_HEAD_H
-#define MODELS_HEAD_H
+#ifndef COMMON_SCULPTOR_HEAD_H
+#define COMMON_SCULPTOR_HEAD_H
 
 #include "sculptor/clay.h"
 

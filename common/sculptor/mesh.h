@@ -1,6 +1,6 @@
 /* A mesh on its way into a file, and the files' text. */
-#ifndef MODELS_MESH_H
-#define MODELS_MESH_H
+#ifndef COMMON_SCULPTOR_MESH_H
+#define COMMON_SCULPTOR_MESH_H
 
 #include "base/error.h"
 #include "sculptor/clay.h"

@@ -3,8 +3,8 @@
  *
  * After Garland and Heckbert, "Surface Simplification Using Quadric Error Metrics", SIGGRAPH 1997.
  */
-#ifndef MODELS_SIMPLIFY_H
-#define MODELS_SIMPLIFY_H
+#ifndef COMMON_SCULPTOR_SIMPLIFY_H
+#define COMMON_SCULPTOR_SIMPLIFY_H
 
 #include "sculptor/surface.h"
 

@@ -1,6 +1,6 @@
 /* The bust's three textures. */
-#ifndef MODELS_SKIN_H
-#define MODELS_SKIN_H
+#ifndef COMMON_SCULPTOR_SKIN_H
+#define COMMON_SCULPTOR_SKIN_H
 
 #include "base/error.h"
 #include "sculptor/surface.h"

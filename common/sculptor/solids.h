@@ -1,6 +1,6 @@
 /* Plain solids whose shape is known exactly, for tests and benchmarks. */
-#ifndef MODELS_SOLIDS_H
-#define MODELS_SOLIDS_H
+#ifndef COMMON_SCULPTOR_SOLIDS_H
+#define COMMON_SCULPTOR_SOLIDS_H
 
 #include "sculptor/mesh.h"
 

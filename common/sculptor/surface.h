@@ -1,6 +1,6 @@
 /* The bust's surface as a fine grid over the texture: every (u, v) has its point and normal. */
-#ifndef MODELS_SURFACE_H
-#define MODELS_SURFACE_H
+#ifndef COMMON_SCULPTOR_SURFACE_H
+#define COMMON_SCULPTOR_SURFACE_H
 
 #include "sculptor/clay.h"
 

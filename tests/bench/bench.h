@@ -18,8 +18,8 @@
  * before the clock runs (converted to float for those that compute in float), the loop around them,
  * and the function that writes their pixels. They are compiled in one file with the same flags.
  */
-#ifndef TESTS_BENCH_H
-#define TESTS_BENCH_H
+#ifndef TESTS_BENCH_BENCH_H
+#define TESTS_BENCH_BENCH_H
 
 #include "base/error.h"
 #include "files/model_file.h"

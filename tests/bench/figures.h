@@ -15,8 +15,8 @@
  * The main() is here: it reads the bust and calls draw_figures(). What fails ends the program, with
  * a message; and what a figure is made of is kept until then.
  */
-#ifndef TESTS_FIGURES_H
-#define TESTS_FIGURES_H
+#ifndef TESTS_BENCH_FIGURES_H
+#define TESTS_BENCH_FIGURES_H
 
 #include "base/error.h"
 #include "model.h"

@@ -1,6 +1,6 @@
 /* Time and its statistics, for everything that is measured. Needs clock_gettime() of POSIX. */
-#ifndef TESTS_TIMING_H
-#define TESTS_TIMING_H
+#ifndef TESTS_BENCH_TIMING_H
+#define TESTS_BENCH_TIMING_H
 
 #include <math.h>
 #include <stddef.h>

@@ -3,8 +3,8 @@
  * both spaces are one: the shaders for maps in tangent space draw what those of the lesson draw. On
  * a board that was turned they draw what it was before, in a light that was turned with it.
  */
-#ifndef TESTS_BOARD_H
-#define TESTS_BOARD_H
+#ifndef TESTS_LESSONS_BOARD_H
+#define TESTS_LESSONS_BOARD_H
 
 #include "files/fit.h"
 #include "run/scene.h"

@@ -5,8 +5,8 @@
  * Integers are 128 bits wide, so that no product can overflow; reals are long double. (Machines
  * without 128-bit integers cannot run these tests.)
  */
-#ifndef TESTS_ORACLE_H
-#define TESTS_ORACLE_H
+#ifndef TESTS_ORACLE_ORACLE_H
+#define TESTS_ORACLE_ORACLE_H
 
 #include "oracle/reals.h"
 #include "raster.h"

@@ -1,6 +1,6 @@
 /* Vectors of long double, for exact enough answers. */
-#ifndef TESTS_REALS_H
-#define TESTS_REALS_H
+#ifndef TESTS_ORACLE_REALS_H
+#define TESTS_ORACLE_REALS_H
 
 #include "geometry.h"
 

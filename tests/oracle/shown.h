@@ -2,8 +2,8 @@
  * For tests of the pipeline: small models made in memory, and pictures that show a varying to the
  * last bit, as the bits of its `real` in the four bytes of a pixel (or of two pixels, for doubles).
  */
-#ifndef TESTS_SHOWN_H
-#define TESTS_SHOWN_H
+#ifndef TESTS_ORACLE_SHOWN_H
+#define TESTS_ORACLE_SHOWN_H
 
 #include "pipeline.h"
 

@@ -1,6 +1,6 @@
 /* Pixels and texels in long double. */
-#ifndef TESTS_TEXELS_H
-#define TESTS_TEXELS_H
+#ifndef TESTS_ORACLE_TEXELS_H
+#define TESTS_ORACLE_TEXELS_H
 
 #include "oracle/reals.h"
 #include "texture.h"

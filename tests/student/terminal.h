@@ -1,6 +1,6 @@
 /* Pictures as bytes that a terminal shows. */
-#ifndef TESTS_HELP_TERMINAL_H
-#define TESTS_HELP_TERMINAL_H
+#ifndef TESTS_STUDENT_TERMINAL_H
+#define TESTS_STUDENT_TERMINAL_H
 
 #include "base/bytes.h"
 #include "base/error.h"

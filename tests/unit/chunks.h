@@ -1,7 +1,7 @@
 /* For tests of PNG: chunks put together byte by byte from the specification, with checksums that
  * share nothing with the code under test. */
-#ifndef TESTS_CHUNKS_H
-#define TESTS_CHUNKS_H
+#ifndef TESTS_UNIT_CHUNKS_H
+#define TESTS_UNIT_CHUNKS_H
 
 #include "unit/images.h"
 

@@ -1,6 +1,6 @@
 /* For tests of the pipeline: a pipeline with the image that it draws. (Small models: shown.h.) */
-#ifndef TESTS_FRAMES_H
-#define TESTS_FRAMES_H
+#ifndef TESTS_UNIT_FRAMES_H
+#define TESTS_UNIT_FRAMES_H
 
 #include "oracle/shown.h"
 #include "pipeline.h"

@@ -1,6 +1,6 @@
 /* For tests of files and images: noise, memory, bytes put one after the other, images compared. */
-#ifndef TESTS_IMAGES_H
-#define TESTS_IMAGES_H
+#ifndef TESTS_UNIT_IMAGES_H
+#define TESTS_UNIT_IMAGES_H
 
 #include "base/bytes.h"
 #include "texture.h"

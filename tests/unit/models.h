@@ -1,7 +1,7 @@
 /* For tests of models: read from memory, small pictures next to them. The test defines
  * _XOPEN_SOURCE as 700 (place.h). */
-#ifndef TESTS_MODELS_H
-#define TESTS_MODELS_H
+#ifndef TESTS_UNIT_MODELS_H
+#define TESTS_UNIT_MODELS_H
 
 #include "files/model_file.h"
 #include "files/png.h"

@@ -1,7 +1,7 @@
 /* For tests of files: a separate directory for a test, in which nothing may be left behind. The
  * test defines _XOPEN_SOURCE as 700, for mkdtemp(). */
-#ifndef TESTS_PLACE_H
-#define TESTS_PLACE_H
+#ifndef TESTS_UNIT_PLACE_H
+#define TESTS_UNIT_PLACE_H
 
 #include "base/file.h"
 #include "unit/unit.h"

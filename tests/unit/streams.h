@@ -1,6 +1,6 @@
 /* Standard input, output and error of a test, led elsewhere for a while. */
-#ifndef TESTS_STREAMS_H
-#define TESTS_STREAMS_H
+#ifndef TESTS_UNIT_STREAMS_H
+#define TESTS_UNIT_STREAMS_H
 
 #include "unit/unit.h"
 

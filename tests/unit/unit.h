@@ -7,8 +7,8 @@
  * A failed CHECK prints where and what, and the test goes on. The program prints one line a test
  * and exits with status 1 when any check failed.
  */
-#ifndef TESTS_UNIT_H
-#define TESTS_UNIT_H
+#ifndef TESTS_UNIT_UNIT_H
+#define TESTS_UNIT_UNIT_H
 
 #include <inttypes.h>
 #include <stdbool.h>

@@ -5,8 +5,8 @@
  * are decided with whole numbers and long double (tests/oracle), and the formula of the look is
  * computed in long double from the model's own numbers. Nothing of the pipeline is called.
  */
-#ifndef FRAME_EXACT_H
-#define FRAME_EXACT_H
+#ifndef TESTS_BENCH_FRAME_EXACT_H
+#define TESTS_BENCH_FRAME_EXACT_H
 
 #include "scene.h"
 

@@ -3,8 +3,8 @@
  * that most Linux machines have. From llvmpipe.c where Mesa is installed, otherwise from
  * without_llvmpipe.c.
  */
-#ifndef FRAME_LLVMPIPE_H
-#define FRAME_LLVMPIPE_H
+#ifndef TESTS_BENCH_FRAME_LLVMPIPE_H
+#define TESTS_BENCH_FRAME_LLVMPIPE_H
 
 #include "scene.h"
 

@@ -1,6 +1,6 @@
 /* The command line of bench-frame. */
-#ifndef FRAME_OPTIONS_H
-#define FRAME_OPTIONS_H
+#ifndef TESTS_BENCH_FRAME_OPTIONS_H
+#define TESTS_BENCH_FRAME_OPTIONS_H
 
 #include "base/error.h"
 #include "scene.h"

@@ -1,6 +1,6 @@
 /* The course's side of `make bench-frame`: the pipeline of lessons 9 and 10. */
-#ifndef FRAME_OURS_H
-#define FRAME_OURS_H
+#ifndef TESTS_BENCH_FRAME_OURS_H
+#define TESTS_BENCH_FRAME_OURS_H
 
 #include "scene.h"
 

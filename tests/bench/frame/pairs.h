@@ -1,6 +1,6 @@
 /* Numbers for pairs of numbers, in the order in which the pairs are first seen. */
-#ifndef FRAME_PAIRS_H
-#define FRAME_PAIRS_H
+#ifndef TESTS_BENCH_FRAME_PAIRS_H
+#define TESTS_BENCH_FRAME_PAIRS_H
 
 #include <stddef.h>
 #include <stdint.h>

@@ -2,8 +2,8 @@
  * What `make bench-frame` draws: a head in one of three looks, of any size, with any number of
  * triangles. Both sides draw it from this description alone.
  */
-#ifndef FRAME_SCENE_H
-#define FRAME_SCENE_H
+#ifndef TESTS_BENCH_FRAME_SCENE_H
+#define TESTS_BENCH_FRAME_SCENE_H
 
 #include "base/error.h"
 #include "geometry.h"

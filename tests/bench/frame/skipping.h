@@ -1,6 +1,6 @@
 /* What each of the pipeline's shortcuts is worth where there is much that nobody sees. */
-#ifndef FRAME_SKIPPING_H
-#define FRAME_SKIPPING_H
+#ifndef TESTS_BENCH_FRAME_SKIPPING_H
+#define TESTS_BENCH_FRAME_SKIPPING_H
 
 #include "base/error.h"
 

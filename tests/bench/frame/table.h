@@ -1,6 +1,6 @@
 /* The tables that bench-frame prints: times and errors. */
-#ifndef FRAME_TABLE_H
-#define FRAME_TABLE_H
+#ifndef TESTS_BENCH_FRAME_TABLE_H
+#define TESTS_BENCH_FRAME_TABLE_H
 
 #include "exact.h"
 #include "options.h"

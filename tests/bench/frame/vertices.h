@@ -2,8 +2,8 @@
  * A model as OpenGL wants it: one index a corner, for all attributes together. As many corners
  * share a vertex as can.
  */
-#ifndef FRAME_VERTICES_H
-#define FRAME_VERTICES_H
+#ifndef TESTS_BENCH_FRAME_VERTICES_H
+#define TESTS_BENCH_FRAME_VERTICES_H
 
 #include "scene.h"
 

@@ -1,6 +1,6 @@
 /* Base64 (S. Josefsson, "The Base16, Base32, and Base64 Data Encodings", RFC 4648). */
-#ifndef TESTS_HELP_BASE64_H
-#define TESTS_HELP_BASE64_H
+#ifndef TESTS_CHECK_PAGE_BASE64_H
+#define TESTS_CHECK_PAGE_BASE64_H
 
 #include "base/bytes.h"
 

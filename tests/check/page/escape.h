@@ -1,6 +1,6 @@
 /* Text that others wrote (names, messages of compilers and programs) in reports and pages. */
-#ifndef TESTS_HELP_ESCAPE_H
-#define TESTS_HELP_ESCAPE_H
+#ifndef TESTS_CHECK_PAGE_ESCAPE_H
+#define TESTS_CHECK_PAGE_ESCAPE_H
 
 #include "base/bytes.h"
 

@@ -10,8 +10,8 @@
  * opens the page of `make live` over them (still.js), which shows single pixels and their values.
  * What else a caller writes it escapes by markup_print().
  */
-#ifndef TESTS_HELP_PAGE_H
-#define TESTS_HELP_PAGE_H
+#ifndef TESTS_CHECK_PAGE_PAGE_H
+#define TESTS_CHECK_PAGE_PAGE_H
 
 #include "base/bytes.h"
 #include "base/error.h"

@@ -1,6 +1,6 @@
 /* The pictures of a scene that a student looks at: yours, the reference, and their difference. */
-#ifndef TESTS_HELP_PICTURES_H
-#define TESTS_HELP_PICTURES_H
+#ifndef TESTS_CHECK_PAGE_PICTURES_H
+#define TESTS_CHECK_PAGE_PICTURES_H
 
 #include "base/error.h"
 #include "check/scenes.h"

@@ -9,8 +9,8 @@
  * Built by clang with -fsanitize=fuzzer,address,undefined (`make fuzz`), and by any compiler with
  * replay.c and -fsanitize=address,undefined (`make test`).
  */
-#ifndef TESTS_FUZZ_H
-#define TESTS_FUZZ_H
+#ifndef TESTS_UPKEEP_FUZZ_FUZZ_H
+#define TESTS_UPKEEP_FUZZ_FUZZ_H
 
 #include "base/error.h"
 #include "base/file.h"

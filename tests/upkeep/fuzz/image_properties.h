@@ -1,6 +1,6 @@
 /* What must hold of every image that a reader returns; for the fuzz targets of TGA and PNG. */
-#ifndef TESTS_FUZZ_IMAGE_PROPERTIES_H
-#define TESTS_FUZZ_IMAGE_PROPERTIES_H
+#ifndef TESTS_UPKEEP_FUZZ_IMAGE_PROPERTIES_H
+#define TESTS_UPKEEP_FUZZ_IMAGE_PROPERTIES_H
 
 #include "files/png.h"
 #include "fuzz.h"

@@ -1,7 +1,7 @@
 /* What must hold of every model that a reader returns; shared by the fuzz targets of OBJ and
  * OFF. */
-#ifndef TESTS_FUZZ_MODEL_PROPERTIES_H
-#define TESTS_FUZZ_MODEL_PROPERTIES_H
+#ifndef TESTS_UPKEEP_FUZZ_MODEL_PROPERTIES_H
+#define TESTS_UPKEEP_FUZZ_MODEL_PROPERTIES_H
 
 #include "files/model_file.h"
 #include "files/normals.h"

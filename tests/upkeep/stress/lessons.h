@@ -1,8 +1,8 @@
 /* What the properties of the lessons share. Each lesson's main.c is included in its own file,
  * tests/lessons/stepNN_name/stress.c, which has that lesson's properties or lends its functions to
  * others. */
-#ifndef TESTS_LESSONS_H
-#define TESTS_LESSONS_H
+#ifndef TESTS_UPKEEP_STRESS_LESSONS_H
+#define TESTS_UPKEEP_STRESS_LESSONS_H
 
 #include "lanes.h"
 #include "model.h"

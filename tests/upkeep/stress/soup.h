@@ -11,8 +11,8 @@
  *     ... draw soup.model with soup.to_clip into soup.viewport ...
  *     struct soup_hit hit = soup_look(&soup, face, x, y);
  */
-#ifndef TESTS_SOUP_H
-#define TESTS_SOUP_H
+#ifndef TESTS_UPKEEP_STRESS_SOUP_H
+#define TESTS_UPKEEP_STRESS_SOUP_H
 
 #include "model.h"
 #include "stress.h"

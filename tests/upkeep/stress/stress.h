@@ -4,8 +4,8 @@
  * Case number i of a property is made from (seed, property, i) alone, so that any case can be made
  * again, in any order and by any number of threads.
  */
-#ifndef TESTS_STRESS_H
-#define TESTS_STRESS_H
+#ifndef TESTS_UPKEEP_STRESS_STRESS_H
+#define TESTS_UPKEEP_STRESS_STRESS_H
 
 #include "oracle/oracle.h"
 
