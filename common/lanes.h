@@ -12,9 +12,9 @@
  * gcc and clang, which make of an operator the instructions that the processor has; "Using the GNU
  * Compiler Collection", section "Vector Extensions".)
  *
- * All is the same on every machine: + - * / and square roots are rounded once, nothing else is
- * used. `make LANES=1` builds the same programs with one lane, which a debugger shows as one
- * number; `make REAL=double` with twice the precision.
+ * Results are the same on every machine: + - * / and square roots are rounded once, and nothing
+ * else is used. `make LANES=1` builds the same programs with one lane, which a debugger shows as
+ * one number; `make REAL=double` with twice the precision.
  */
 #ifndef COMMON_LANES_H
 #define COMMON_LANES_H
@@ -66,9 +66,9 @@ LANES_INLINE lanes lanes_all(real value) {
     return value - (lanes){0};
 }
 
-/* The elements of a where the mask is set, those of b elsewhere: for vectors of any type, and a mask
- * as a comparison of vectors gives it. (gcc turns the `+` into one instruction, but an `|` into two
- * or three.) */
+/* The elements of a where the mask is set, those of b elsewhere: for vectors of any type, and a
+ * mask as a comparison of vectors gives it. (gcc turns the `+` into one instruction, but an `|`
+ * into two or three.) */
 #define VECTOR_SELECT(mask, a, b)                                                                  \
     ((__typeof__(a))(((mask) & (__typeof__(mask))(a)) + (~(mask) & (__typeof__(mask))(b))))
 
@@ -85,7 +85,7 @@ LANES_INLINE lanes lanes_sqrt(lanes a) {
     return root;
 }
 
-/* Without the fraction; for what an int32_t can hold. */
+/* Drop the fraction; the numbers must fit an int32_t. */
 LANES_INLINE lanes_int lanes_to_int(lanes a) {
     return __builtin_convertvector(a, lanes_int);
 }
@@ -123,9 +123,9 @@ LANES_INLINE lanes_mask lanes_not_before(int first) {
     return __builtin_convertvector(lanes_int_from(0) >= first, lanes_mask);
 }
 
-/* maxps and minps where x86 has them for LANES floats, which gcc 12 and clang 14 do not find by
- * themselves: they compare and choose, which takes two instructions and a register for masks; a
- * seventh of the time of a textured pixel. More of this kind: pipeline/vectors.h. */
+/* On x86, the instructions maxps and minps for LANES floats. gcc 12 and clang 14 do not find them
+ * by themselves: they compare and choose, which costs a seventh of the time of a textured pixel.
+ * More of this kind: pipeline/vectors.h. */
 #define LANES_PASTE(a, b)   a##b
 #define LANES_OF_TYPE(type) LANES_PASTE(LANES_OF_, type)
 #define LANES_OF_float      LANES /* of other types there are none: 0 */
@@ -139,7 +139,7 @@ LANES_INLINE lanes_mask lanes_not_before(int first) {
 #define LANES_NATIVE(which, a, b) __builtin_ia32_##which##ps(a, b)
 #endif
 
-/* `a > b ? a : b`, in every bit, also where one is not a number or both are zero. */
+/* `a > b ? a : b`, in every bit, also where one is NaN or both are zero. */
 LANES_INLINE lanes lanes_max(lanes a, lanes b) {
 #ifdef LANES_NATIVE
     return LANES_NATIVE(max, a, b);
@@ -157,7 +157,7 @@ LANES_INLINE lanes lanes_min(lanes a, lanes b) {
 #endif
 }
 
-/* Each lane of the mask counted. */
+/* The sum of all lanes. */
 LANES_INLINE uint64_t lanes_sum(lanes_int counts) {
     int32_t count[LANES];
     uint64_t sum = 0;
@@ -174,13 +174,13 @@ LANES_INLINE uint32_t lanes_texel_at(lanes_texel texels, int i) {
     return texel[i];
 }
 
-/* The next lower whole number; for what an int32_t can hold. */
+/* Round down to a whole number; the numbers must fit an int32_t. */
 LANES_INLINE lanes lanes_floor(lanes a) {
     lanes whole = lanes_from_int(lanes_to_int(a));
     return lanes_select(whole > a, whole - 1, whole);
 }
 
-/* A level rounded to the nearest of 0..255, halves up; what is not a number becomes 0. */
+/* A level rounded to the nearest of 0..255, halves up; NaN becomes 0. */
 LANES_INLINE lanes_int lanes_level(lanes level) {
     return lanes_to_int(lanes_min(lanes_max(level, lanes_all(0)), lanes_all(255)) + 0.5f);
 }
@@ -207,7 +207,7 @@ LANES_INLINE lanes lanes3_dot(struct lanes3 a, struct lanes3 b) {
     return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
-/* The same vector for all pixels. */
+/* One vector for all pixels. */
 LANES_INLINE struct lanes3 lanes3_all(struct vec3 v) {
     return (struct lanes3){lanes_all((real)v.x), lanes_all((real)v.y), lanes_all((real)v.z)};
 }
@@ -223,7 +223,7 @@ LANES_INLINE lanes_texel lanes_black(void) {
     return (lanes_texel){0} + UINT32_C(0xFF000000);
 }
 
-/* Red, green, blue as levels, each rounded to the nearest of 0..255; what is not a number is 0. */
+/* Red, green, blue as levels, each rounded to the nearest of 0..255; NaN becomes 0. */
 LANES_INLINE lanes_texel lanes_rgb(lanes red, lanes green, lanes blue) {
     lanes_int r = lanes_level(red), g = lanes_level(green), b = lanes_level(blue);
     return (lanes_texel)(b | g << 8 | r << 16) | UINT32_C(0xFF000000);

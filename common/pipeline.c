@@ -1,4 +1,11 @@
-/* The pipeline: recording draw calls, and what a frame needs around its stages. See pipeline.h. */
+/*
+ * The pipeline from outside: its memory, the recorded draw calls, and a frame from its first stage
+ * to its last. See pipeline.h.
+ *
+ * A frame reserves the memory of a stage before threads begin with it. All memory stays for the
+ * next frame, which allocates nothing if it needs no more than this one. Only assembling can run
+ * out of memory in a thread; then the frame ends before a pixel of the image has changed.
+ */
 #include "pipeline.h"
 
 #include <assert.h>
@@ -84,10 +91,11 @@ static bool reserve_chunks(struct frame *frame, size_t count) {
     return frame->chunks != NULL;
 }
 
-/* Memory for the pieces of one band: fewer than all. What is not used is not touched. */
+/* Memory for the pieces of one band: for as many as there are in all bands, since untouched memory
+ * costs nothing. */
 static bool scratch_reserve(struct scratch *scratch, const struct frame *frame) {
     size_t pixels = chunk_count(frame) * CHUNK_WIDTH * BAND_HEIGHT, count = frame->sorted_count + 1;
-    size_t visible = (count < pixels ? count : pixels) + TOGETHER; /* which are written at once */
+    size_t visible = (count < pixels ? count : pixels) + TOGETHER; /* written at once */
     return array_extend(&scratch->pieces, &scratch->piece_capacity, count,
                         sizeof(struct piece *)) &&
            array_extend(&scratch->is_visible, &scratch->is_visible_capacity, count,
@@ -199,7 +207,7 @@ static bool reserve_workers(struct frame *frame) {
     return frame->scratch != NULL;
 }
 
-/* Nothing is drawn yet, and nothing counted. */
+/* Begin with nothing drawn and nothing counted. */
 static void begin_frame(struct frame *frame, struct image *image) {
     frame->image = image;
     frame->round = (struct index_range){0, 0};
@@ -211,8 +219,8 @@ static void begin_frame(struct frame *frame, struct image *image) {
     }
 }
 
-/* Room for what the threads need to draw bands; and what is visible of one: for each thread, or,
- * where it is kept from round to round, for each band. */
+/* Memory for each thread, and the chunks to draw in: those of one band for each thread or, where
+ * they are kept from round to round, those of every band. */
 static bool reserve_bands(struct frame *frame, struct error *error) {
     size_t threads = workers_count(frame->workers);
     size_t bands = frame->kept ? band_count(frame) : threads;
@@ -223,8 +231,8 @@ static bool reserve_bands(struct frame *frame, struct error *error) {
     return reserved || error_out_of_memory(error);
 }
 
-/* All but the shading. With one round only, pixels are not covered yet: that is done for a band
- * when it is shaded, while it is in the cache. */
+/* All stages but shading, round by round. If there is only one round, covering is left to
+ * pipeline_draw_band(), which shades the band while it is still in the cache. */
 static bool draw_rounds(struct frame *frame, struct error *error) {
     do {
         pipeline_next_round(frame);
@@ -249,7 +257,7 @@ bool pipeline_finish(struct pipeline *p, struct image *image, struct error *erro
     }
     begin_frame(frame, image);
     if (!pipeline_order(frame, error) || !draw_rounds(frame, error)) {
-        free_chunks(frame); /* in some there is something, perhaps */
+        free_chunks(frame); /* some may hold pixels of this frame */
         return false;
     }
     workers_run(frame->workers, band_count(frame), pipeline_draw_band, frame);

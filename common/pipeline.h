@@ -7,35 +7,37 @@
  *     pipeline_draw(&pipeline, &call, &toon, &uniforms, sizeof uniforms, &error);
  *     pipeline_finish(&pipeline, &image, &error);
  *
- * Draw calls are recorded, and the frame is drawn when it is finished. Its stages, and where they
- * are:
+ * pipeline_draw() only records a draw call; pipeline_finish() draws the frame. First it finds which
+ * triangle is nearest at each pixel and writes its number there: a visibility buffer. Then it
+ * shades each visible pixel once. So a hidden triangle never has an attribute fetched, and a pixel
+ * that several triangles cover costs one shading. (Burns and Hunt, "The Visibility Buffer", JCGT
+ * 2(2), 2013.) The stages, and where they are:
  *
  *     record     keep the draw call                               pipeline_draw() in pipeline.c
  *     order      drop calls off screen; nearest first             pipeline/order.c
  *     transform  each position once, to the screen                pipeline/assemble.c
- *     classify   which faces are off screen, turned away, tiny    pipeline/classify.c
- *     clip       cut what leaves the view                         pipeline/clip.c
+ *     classify   which faces are off screen, culled, tiny         pipeline/classify.c
+ *     clip       cut faces that leave the view                    pipeline/clip.c
  *     assemble   faces become pieces, sorted into bands of rows   pipeline/assemble.c
  *     cover      band by band: which piece is nearest?            pipeline/cover.c
- *     fetch      ask the corners of visible pieces, once          pipeline/shade.h
+ *     fetch      ask for the varyings of each visible piece       pipeline/shade.h
  *     shade      colour each visible pixel, once                  pipeline/shade.h
  *
- * A band's depths and piece numbers stay in the processor's cache from cover to shade. Several
- * neighbours are shaded at once: see lanes.h. (Burns and Hunt, "The Visibility Buffer", JCGT 2(2),
- * 2013.)
+ * Threads draw bands of rows. A band's depths and piece numbers stay in the processor's cache from
+ * cover to shade. Several neighbours are shaded at once: see lanes.h.
  *
- * Where many draw calls overlap, the stages from transform to cover are done in rounds: first the
- * nearest few calls, then in each round as many as in all before. A call whose box is behind what
- * is covered already, in every tile of 16x8 pixels, is skipped as a whole, and so is a piece.
- * (Greene, Kass and Miller, "Hierarchical Z-Buffer Visibility", SIGGRAPH 1993.)
+ * Where many draw calls overlap, they are covered in rounds, the nearest first, and each round has
+ * as many calls as all before it. Every tile of 16x8 pixels knows its farthest depth. A call, or a
+ * piece, that is behind this depth in all tiles of its bounding box is skipped as a whole. (Greene,
+ * Kass and Miller, "Hierarchical Z-Buffer Visibility", SIGGRAPH 1993.)
  *
- * The pixels of a shader that may discard are shaded while they are covered, in the order of
- * drawing; with `skip` off all are.
+ * A shader that may discard pixels has a say in what is visible, so its pixels are shaded as soon
+ * as they are covered, in the order of drawing. With `skip` off, those of all shaders are.
  *
  * Guarantees: every pixel of a mesh is drawn once, also across clipped faces; the image does not
  * depend on the number of threads, on `skip`, or on which corner of a face comes first. Of two
- * equal depths the first one drawn stays; a face with one depth at all corners, not clipped, has
- * just this depth at every pixel (on other planes the last bits depend on the face's corners).
+ * equal depths the first one drawn stays. A face that is not clipped and has the same depth at all
+ * corners has exactly this depth at every pixel (in others the last bits depend on the corners).
  */
 #ifndef COMMON_PIPELINE_H
 #define COMMON_PIPELINE_H
@@ -63,8 +65,8 @@ struct draw_call {
     enum cull cull;
 };
 
-/* A camera at `eye` that looks at `center`, in perspective. `zoom` is the part of the viewport that
- * -1..1 fills at the center. Draws nothing where the viewport is empty. */
+/* A camera at `eye` that looks at `center`, in perspective. At the distance of `center`, -1..1
+ * fills the share `zoom` of the viewport. An empty viewport draws nothing. */
 struct draw_call camera_call(const struct model *model, struct vec3 eye, struct vec3 center,
                              struct vec3 up, double zoom, struct rectangle viewport,
                              enum cull cull);
@@ -82,31 +84,30 @@ typedef void shade_function(const struct call_band *band);
  * textures. */
 struct shader {
     size_t varying_count; /* numbers that a corner hands to the pixels, at most VARYING_LIMIT */
-    /* Give the varyings of corner 0..2 of a face. Beyond about 1e10 they may reach a pixel
-     * as infinite, or as no number, since `real` is a float. */
+    /* Give the varyings of corner 0..2 of a face. One beyond about 1e10 may reach a pixel as
+     * infinity or NaN, since `real` is a float. */
     void (*vertex)(const void *uniforms, size_t face, size_t corner, double *varyings);
     /* Give the colour of a pixel from its interpolated varyings (several pixels at once: lanes.h).
-     * No lane of the mask that it returns is drawn where it is unset, which only a shader that
-     * `discards` may do; others return lanes_all_set(). */
+     * Lanes that are unset in the returned mask are discarded: only a shader that `discards` may do
+     * that, others return lanes_all_set(). */
     lanes_mask (*fragment)(const void *uniforms, const lanes *varyings, lanes_texel *color);
-    /* Or NULL: change the varyings before the fragment's turn, and add some behind the last one, up
-     * to VARYING_LIMIT. It is called for many pixels before the first of them gets its colour. So a
-     * processor can look ahead of what takes long, as it is to know where texels are: see
-     * texture_locate(). */
+    /* Or NULL: change the varyings before `fragment` gets them, and add some behind the last one,
+     * up to VARYING_LIMIT. It is called for many pixels before the first of them is shaded, so that
+     * the processor knows early which texels it must wait for: see texture_locate(). */
     void (*prepare)(const void *uniforms, lanes *varyings);
-    bool flat; /* the varyings of corner 0 for the whole face: nothing is interpolated */
+    bool flat; /* the whole face has the varyings of corner 0: nothing is interpolated */
     bool discards;
-    /* Loops over pixels that SHADER() compiles for this shader alone. NULL: all loops call the
-     * functions. */
+    /* The loops over pixels that SHADER() compiles for this shader alone. NULL: loops that call the
+     * functions above. */
     shade_function *shade;
 };
 
-/* All calls of a function become part of it. */
+/* Inline every call in the function. */
 #define FLATTEN __attribute__((flatten))
 
 /* Define a constant `struct shader name` with the fields that follow the name. Its loops over
- * pixels have them as constants: the functions become part of the loop, and no pixel costs a
- * call. */
+ * pixels are compiled with these constants: the functions become part of the loop, and no pixel
+ * costs a call. */
 #define SHADER(name, ...)                                                                          \
     static FLATTEN void name##_shade(const struct call_band *band) {                               \
         const struct shader constant = {__VA_ARGS__};                                              \
@@ -116,9 +117,9 @@ struct shader {
 
 /* ---- The pipeline ---- */
 
-/* What was done and what was skipped since pipeline_clear(), once the frame is finished. What is
- * skipped with its draw call is counted like what is skipped alone: FACES_OUTSIDE, FACES_HIDDEN (of
- * a hidden call all faces, also what is outside or turned away). */
+/* What was done and what was skipped since pipeline_clear(), once the frame is finished. The faces
+ * of a skipped draw call count as FACES_OUTSIDE or FACES_HIDDEN, too (all faces of a hidden call,
+ * also those that are outside or turned away). */
 enum pipeline_stat {
     STAT_CALLS,                /* draw calls */
     STAT_CALLS_OUTSIDE,        /* skipped: all of the model is beyond one side of the view */
@@ -133,7 +134,7 @@ enum pipeline_stat {
     STAT_FACES_BEHIND, /* of these, so far behind that no pixel was tested: once, or in each band */
     STAT_ATTRIBUTE_SETS, /* fetched: once for each visible face in each band of rows */
     STAT_PIXELS_COVERED, /* depth tests; counted only with `counts_tests` */
-    STAT_PIXELS_PASSED,  /* of these, nearer than what was there; likewise */
+    STAT_PIXELS_PASSED,  /* those that the new piece won; counted only with `counts_tests` */
     STAT_PIXELS_SHADED,
     PIPELINE_STATS
 };
@@ -148,7 +149,7 @@ struct pipeline {
     bool skip;         /* false: do all the work, shade at once; the image is the same */
     bool counts_tests; /* count depth tests, in up to 1.4 times the time */
     bool clears_image; /* pixels that nothing covers become 0; false, at first: they stay */
-    bool keep_depth;   /* keep what pipeline_finish() found in `depth` */
+    bool keep_depth;   /* pipeline_finish() fills `depth` */
     double *depth;     /* width * height; minus infinity where nothing is drawn; NULL if not kept */
     uint64_t stats[PIPELINE_STATS];
 

@@ -1,4 +1,10 @@
-/* Lines and triangles: see raster.h. */
+/*
+ * Lines and triangles, with whole numbers only: see raster.h.
+ *
+ * A line knows at which step it enters the image and at which it leaves, so no step outside is
+ * taken. A triangle is three edge functions, exact in 64 bits; in each row they give one span of
+ * covered pixels, so no pixel outside is tested.
+ */
 #include "raster.h"
 
 #include <assert.h>
@@ -19,10 +25,10 @@ static bool within_line_limit(struct pixel p) {
     return p.x >= -LINE_LIMIT && p.x <= LINE_LIMIT && p.y >= -LINE_LIMIT && p.y <= LINE_LIMIT;
 }
 
-/* The line is worked on with u, the axis along which it is longer, and v, the other one. After k
- * steps in u it has moved in v by k * rise / run, rounded, halves down:
+/* Let u be the axis along which the line is longer, and v the other one. After k steps in u the
+ * line has moved in v by k * rise / run, rounded, halves down:
  *     floor((2 * k * rise + run - 1) / (2 * run)).
- * Which k are in the image follows from solving that for k. */
+ * Solving this for k gives the steps that are in the image. */
 bool line_begin(struct line_walk *walk, struct pixel a, struct pixel b, size_t width,
                 size_t height) {
     assert(within_line_limit(a) && within_line_limit(b));

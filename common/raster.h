@@ -1,7 +1,7 @@
 /*
  * Pixels, positions on the screen, and the edges of triangles. Whole numbers decide which pixels
- * are covered, so every compiler gets the same ones. Pixels and positions are those of geometry.h.
- * (What lessons 1 to 3 teach about them is in given/: read these lessons first.)
+ * are covered, so every compiler gets the same ones. geometry.h says where pixel (0,0) and its
+ * centre are. (What lessons 1 to 3 teach about them is in given/: read these lessons first.)
  */
 #ifndef COMMON_RASTER_H
 #define COMMON_RASTER_H
@@ -20,7 +20,7 @@ struct span {
     int begin, end;
 };
 
-/* The pixels, or rows, of both. */
+/* The pixels, or rows, that are in both spans. */
 static inline struct span span_overlap(struct span a, struct span b) {
     return (struct span){a.begin > b.begin ? a.begin : b.begin, a.end < b.end ? a.end : b.end};
 }
@@ -55,8 +55,8 @@ struct fixed2 {
     int32_t x, y;
 };
 
-/* Round to the nearest 1/256 pixel (halves up); false, with `snapped` unchanged, for what is not a
- * number or lies beyond SCREEN_LIMIT. */
+/* Round to the nearest 1/256 pixel (halves up). False, with `snapped` unchanged, where a coordinate
+ * is NaN or beyond SCREEN_LIMIT. */
 static inline bool screen_snap(struct vec2 screen, struct fixed2 *snapped) {
     if (!(fabs(screen.x) <= SCREEN_LIMIT && fabs(screen.y) <= SCREEN_LIMIT)) {
         return false;
@@ -82,7 +82,7 @@ struct edges {
     int width;          /* of the image */
 };
 
-/* Is pixel (x,y) of the image covered? What spans find, asked of a single pixel. */
+/* Is pixel (x,y) of the image covered? (Spans find the same, for a whole row.) */
 static inline bool edges_cover(const struct edges *edges, int x, int y) {
     for (int i = 0; i < 3; i++) {
         const struct edge *e = &edges->edge[i];
@@ -116,9 +116,9 @@ static inline int32_t most_of(int32_t a, int32_t b, int32_t c) {
     return most > c ? most : c;
 }
 
-/* The first pixel of a row whose centre lies at `least` (in 1/256 pixel) or beyond, and the last one
- * whose centre does not lie beyond `most`. The centre of pixel 0 is half a pixel from 0. For whole
- * numbers and, element by element, for vectors of them; >> rounds down, also below 0. */
+/* The first pixel of a row whose centre lies at `least` (in 1/256 pixel) or beyond, and the last
+ * one whose centre does not lie beyond `most`. The centre of pixel 0 is half a pixel from 0. For
+ * whole numbers and, element by element, for vectors of them; >> rounds down, also below 0. */
 #define FIRST_CENTER(least) (((least) + (SUBPIXELS / 2 - 1)) >> SUBPIXEL_BITS)
 #define LAST_CENTER(most)   (((most)-SUBPIXELS / 2) >> SUBPIXEL_BITS)
 

@@ -1,15 +1,28 @@
-/* From a model to pieces on the screen, sorted into bands. See pipeline.h. */
+/*
+ * Transform and assemble: a round of draw calls becomes pieces, triangles on the screen, and each
+ * piece is listed in the bands that it reaches. See pipeline.h.
+ *
+ * The round's calls are cut into blocks, and threads go through all blocks twice. First they
+ * transform the positions of a block, each one once, however many faces share it, and note which
+ * sides of the view it is beyond. Then they classify the faces of a block, a batch at a time: faces
+ * off screen, culled or between pixel centres are only counted, those that leave the view are
+ * clipped, and the others become pieces. At last the block sorts its pieces into bands.
+ *
+ * The pieces keep the order of the faces, whichever thread made them, and a piece is the same to
+ * the last bit whichever corner of its face the model lists first.
+ */
 #include "pipeline.h"
 
-/* Faces are cut where they leave the guard band, NDC -64..64: far outside of the viewport, so that
- * few are. For large viewports it is narrower, 2^16 pixels to each side of the middle: so no side
- * is longer than 2^25 steps, and every edge function is a whole number that a double holds. */
+/* Faces are not clipped at the sides of the viewport but at the guard band, NDC -64..64, which few
+ * faces reach. For large viewports it is narrower, 2^16 pixels to each side of the middle: then no
+ * edge is longer than 2^25 steps of 1/256 pixel, and a double holds all values of an edge function
+ * exactly. */
 static double guard_band_of(const struct rectangle *viewport) {
     int side = viewport->width > viewport->height ? viewport->width : viewport->height;
     return fmin(64, 0x1p17 / side);
 }
 
-/* A depth beyond this is no place to draw at: sums and differences of such might overflow. */
+/* Positions with a depth beyond this are not drawn: sums of such depths might overflow. */
 static const double depth_limit = 1e280;
 
 /* ---- Positions ---- */
@@ -19,25 +32,26 @@ struct clip_positions {
     doubles x, y, z, w;
 };
 
-/* One position, several times. */
+/* One position, TOGETHER times. */
 LANES_INLINE struct clip_positions clip_positions_all(struct vec4 p) {
     return (struct clip_positions){doubles_all(p.x), doubles_all(p.y), doubles_all(p.z),
                                    doubles_all(p.w)};
 }
 
-/* Where they are on the screen; 0 where they have no place there. */
+/* TOGETHER positions on the screen; 0 where one has no place there. */
 struct screen_positions {
     ints x, y; /* in 1/256 pixel */
     doubles depth, recip_w;
-    longs placed; /* which have one */
+    longs placed; /* a mask: has a place */
 };
 
-/* Where the mask is set, the value, otherwise 0. */
+/* The value where the mask is set, otherwise 0. */
 LANES_INLINE doubles doubles_where(longs mask, doubles value) {
     return (doubles)(mask & (longs)value);
 }
 
-/* The sides that each is beyond. Written so that what is not a number is beyond everything. */
+/* The sides of the view that each position is beyond. Each test is negated, so that NaN is beyond
+ * all of them. */
 LANES_INLINE longs find_beyond(const struct clip_positions *p, double guard_band) {
     doubles guard = guard_band * p->w;
     longs in_guard_band = (doubles_abs(p->x) <= guard) & (doubles_abs(p->y) <= guard);
@@ -46,16 +60,16 @@ LANES_INLINE longs find_beyond(const struct clip_positions *p, double guard_band
            (~(p->w >= NEAR_W) & BEYOND_NEAR) | (~in_guard_band & BEYOND_GUARD_BAND);
 }
 
-/* screen_snap() of what is within SCREEN_LIMIT. */
+/* Round screen coordinates within SCREEN_LIMIT to the nearest 1/256 pixel, halves up. */
 LANES_INLINE ints snap(doubles screen) {
     doubles place = screen * SUBPIXELS + 0.5;
-    /* Towards 0, which may be upwards: */
+    /* The conversion rounds towards 0. Where that was up, go one down. */
     doubles whole = doubles_from_ints(__builtin_convertvector(place, ints));
     whole -= doubles_where(whole > place, doubles_all(1));
     return __builtin_convertvector(whole, ints);
 }
 
-/* Where those are that are `wanted`. */
+/* Project the wanted positions to the screen. */
 LANES_INLINE struct screen_positions project(const struct clip_positions *clip, longs wanted,
                                              const struct rectangle *viewport) {
     doubles recip_w = 1 / clip->w, depth = clip->z * recip_w;
@@ -72,7 +86,8 @@ LANES_INLINE struct screen_positions project(const struct clip_positions *clip, 
     };
 }
 
-/* Positions of the model from number `at` on; behind the last one that again. As mat4_point(). */
+/* Transform position `at` of the model and the next ones to clip space, with the sums of
+ * mat4_point(). Past the end, the last position is repeated. */
 LANES_INLINE struct clip_positions transform(const struct draw_call *call, size_t at) {
     const struct model *model = call->model;
     const double(*m)[4] = call->to_clip.m;
@@ -103,8 +118,7 @@ static void transform_block(void *context, size_t index, size_t worker) {
     struct frame *frame = context;
     const struct block *block = &frame->blocks[frame->round_block + index];
     struct recorded_call *recorded = block->call;
-    const struct draw_call call =
-        recorded->call; /* a copy, which nothing that is written changes */
+    const struct draw_call call = recorded->call; /* a copy, which no store below can change */
     const struct index_range range = block_range(block, call.model->position_count);
     const double guard_band = recorded->guard_band;
     struct screen_position *to = frame->positions + recorded->first_position;
@@ -139,9 +153,9 @@ static bool reserve_pieces(struct block *block, size_t count) {
                         sizeof *block->bands);
 }
 
-/* Add a triangle of a batch that is whole. Corner 0 becomes the lowest, so that a face whose
- * corners are listed from another one on is computed in the same way, to the last bit; and the rest
- * follows counterclockwise. Not added, but counted, where it is hidden already. */
+/* Add triangle `at` of a batch, a whole one, unless earlier rounds hide it. The corners of a piece
+ * go counterclockwise from the lowest one, so that a face gives the same bits whichever corner
+ * comes first. */
 static void add_piece(const struct frame *frame, struct block *block, const struct batch *batch,
                       size_t at, size_t face, size_t fan_triangle, const double depth[3]) {
     struct span columns = {batch->left[at], batch->right[at] + 1};
@@ -171,7 +185,7 @@ static void add_piece(const struct frame *frame, struct block *block, const stru
     block->rows = span_around(block->rows, rows);
 }
 
-/* Count a triangle that is not drawn. */
+/* Count a triangle that is not drawn, by its reason. */
 static void count_left_out(struct block *block, int32_t kind) {
     block->stats[STAT_FACES_OUTSIDE] += kind == TRIANGLE_OUTSIDE;
     block->stats[STAT_FACES_TURNED_AWAY] += kind == TRIANGLE_TURNED_AWAY;
@@ -202,7 +216,8 @@ static void add_fan_triangle(const struct frame *frame, struct block *block, siz
     }
 }
 
-/* Leaves room for the other faces of its batch. False when memory runs out. */
+/* Clip a face, and add the triangles that are left. There is still room for the other faces of the
+ * batch afterwards. False when memory runs out. */
 static bool add_clipped_face(const struct frame *frame, struct block *block, size_t face) {
     struct polygon polygon = pipeline_clip_face(block->call, face);
     if (polygon.count < 3) {
@@ -219,7 +234,7 @@ static bool add_clipped_face(const struct frame *frame, struct block *block, siz
 
 /* ---- Faces ---- */
 
-/* Put the corners of faces into a batch. */
+/* Put the corners of faces on the screen into a batch. */
 static void fill_corners(const struct frame *frame, struct batch *batch,
                          const struct recorded_call *call, const struct face *faces) {
     const struct screen_position *positions = frame->positions + call->first_position;
@@ -232,7 +247,7 @@ static void fill_corners(const struct frame *frame, struct batch *batch,
     }
 }
 
-/* And the sides that they are beyond. */
+/* Put the sides of the view that corners of faces are beyond into a batch. */
 static void fill_beyonds(const struct frame *frame, struct batch *batch,
                          const struct recorded_call *call, const struct face *faces) {
     const uint8_t *beyonds = frame->beyonds + call->first_position;
@@ -245,8 +260,8 @@ static void fill_beyonds(const struct frame *frame, struct batch *batch,
     }
 }
 
-/* List those that may be drawn, in their order, and count the others; without a branch, see
- * classify.c. */
+/* List the faces of a batch that may be drawn, in their order, and count the others; without a
+ * branch for a single face, for the reason that classify.c gives. */
 static size_t list_drawn(struct block *block, const struct batch *batch,
                          uint32_t list[BATCH_SIZE]) {
     size_t count = 0;
@@ -260,8 +275,8 @@ static size_t list_drawn(struct block *block, const struct batch *batch,
     return count;
 }
 
-/* Add what is to be drawn of the faces of a batch from `first_face` on. False when memory runs
- * out. */
+/* Add the pieces of a batch, whose triangles are the faces from `first_face` on. False when memory
+ * runs out. */
 static bool add_batch(const struct frame *frame, struct block *block, const struct batch *batch,
                       size_t first_face) {
     const struct recorded_call *call = block->call;
@@ -285,8 +300,14 @@ static bool add_batch(const struct frame *frame, struct block *block, const stru
 
 /* ---- Pieces sorted into bands ---- */
 
-/* List the pieces of each band, in their order. Counts become ends, and then, filled from behind,
- * places where the lists begin. False when memory runs out. */
+/* List a block's pieces band by band, in their order, by a counting sort. With three bands, and
+ * piece 1 in all of them:
+ *
+ *     sorted    0 1 3 | 1 2 | 1       pieces 0, 1, 3 reach band 0; 1, 2 reach band 1
+ *     starts    0       3     5   6
+ *
+ * At first `starts` counts the pieces of each band. Then it holds the end of each list. The lists
+ * are filled from behind, and so it holds their beginnings at last. False when memory runs out. */
 static bool sort_block(const struct frame *frame, struct block *block) {
     size_t bands = band_count(frame);
     uint32_t *starts = frame->band_starts + (size_t)(block - frame->blocks) * (bands + 1);
@@ -329,7 +350,7 @@ static void assemble_block(void *context, size_t index, size_t worker) {
         batch_classify(&batch, &call->call, frame->pipeline->skip);
         reserved = add_batch(frame, block, &batch, first);
     }
-    block->stats[STAT_FACES_HIDDEN] += block->piece_count; /* until one is seen */
+    block->stats[STAT_FACES_HIDDEN] += block->piece_count; /* until a band shows one */
     if (!reserved || !sort_block(frame, block)) {
         frame->exhausted = true;
     }
@@ -337,7 +358,7 @@ static void assemble_block(void *context, size_t index, size_t worker) {
 
 /* ---- A round ---- */
 
-/* Make one more block, or use one of the last frame again. */
+/* Add a block, with the memory of one of the last frame if there is one left. */
 static bool add_block(struct frame *frame, struct recorded_call *call, size_t begin) {
     if (!array_extend(&frame->blocks, &frame->block_capacity, frame->block_count + 1,
                       sizeof *frame->blocks)) {
@@ -355,7 +376,7 @@ static bool add_block(struct frame *frame, struct recorded_call *call, size_t be
     return true;
 }
 
-/* Share out a call's positions and faces. */
+/* Cut a call's positions and faces into blocks. */
 static bool add_blocks(struct frame *frame, struct recorded_call *call) {
     size_t positions = call->call.model->position_count, faces = call->call.model->face_count;
     size_t count = positions > faces ? positions : faces;
@@ -403,7 +424,8 @@ static bool reserve_round(struct frame *frame, struct error *error) {
            error_out_of_memory(error);
 }
 
-/* What the blocks of the round have found. */
+/* Find where the round's calls are on the screen, and how many pieces all bands have, from what the
+ * blocks have found. */
 static bool add_up_blocks(struct frame *frame, struct error *error) {
     for (size_t i = frame->round_block; i < frame->block_count; i++) {
         const struct block *block = &frame->blocks[i];

@@ -1,17 +1,33 @@
-/* What becomes of faces, decided for several at once: most of a fine model's faces are turned away
- * or lie between pixel centres, in no order that a processor could foresee. So there is no branch
- * for a single face, and what is found of it is of use only if it turns out to be needed. */
+/*
+ * Classify: is a triangle off screen, culled, without a pixel centre, to be clipped, or whole?
+ *
+ * Most faces of a fine model are culled or lie between pixel centres, in no order that a processor
+ * could predict, and a branch that is predicted wrongly costs more than the answer. So LANES
+ * triangles are classified at once without a branch for any of them: all questions are answered for
+ * all triangles, and masks choose among the answers.
+ *
+ *     .         .         .         .
+ *
+ *        +---+         +-------/       Neither triangle covers a pixel centre (.). The left one's
+ *        | /\|         |     / |       bounding box holds none. In the right one's box is one,
+ *     .  |/__|  .      |  ./   |   .   which the triangle misses.
+ *                      | /     |
+ *                      /-------+
+ *     .         .         .         .
+ *
+ * All of it is done with whole numbers, 1/256 pixel, so no triangle is dropped that covers a pixel.
+ */
 #include "pipeline.h"
 
 _Static_assert(BATCH_SIZE % LANES == 0, "the last faces of a batch are classified together");
 
-/* A corner of several triangles, on the screen. */
+/* One corner of each of LANES triangles, on the screen. */
 struct corners {
     lanes_int x, y;
 };
 
-/* The pixel centres in the boxes of triangles, inclusive: none where the last lies before the
- * first. As columns_of() and rows_of(). */
+/* The pixel centres in the triangles' bounding boxes, from the first to the last, inclusive: none
+ * where the last one comes before the first. */
 struct pixel_boxes {
     lanes_int left, right, bottom, top;
 };
@@ -35,11 +51,12 @@ LANES_INLINE struct pixel_boxes cut_boxes(const struct pixel_boxes *b,
     };
 }
 
-/* ---- Triangles between the centres of their box ---- */
+/* ---- Small triangles that miss all centres in their box ---- */
 
-/* An edge function: its value at the first centre of the box, less 1 where 0 is not inside, and its
- * steps to the next ones. The highest bit is set where it is negative. Unsigned, since those of
- * large triangles overflow: they are not looked at. */
+/* An edge function in the box: its value at the first centre, less 1 where 0 is outside, and its
+ * steps to the next centre to the right and up. A centre is outside where the value is negative,
+ * that is, where its highest bit is set. The numbers are unsigned because those of large triangles
+ * overflow; large triangles ignore them. */
 struct tiny_edges {
     lanes_texel value, right, up;
 };
@@ -59,9 +76,9 @@ LANES_INLINE struct tiny_edges tiny_edges(struct corners a, struct corners b, la
     };
 }
 
-/* Which triangles have a box of at most two columns and two rows, and miss all its centres? Of the
- * very small ones that is half. (Of a narrower box, centres next to it are looked at, too: they are
- * missed in any case.) */
+/* Which triangles have a box of at most two columns and two rows, and miss all centres in it? Half
+ * of the very small ones do. (If a box has fewer centres, those next to it are tested instead,
+ * which the triangle misses anyway.) */
 LANES_INLINE lanes_int miss_centers(const struct corners *c, lanes_int clockwise,
                                     const struct pixel_boxes *box) {
     lanes_int wide = box->right - box->left, high = box->top - box->bottom;
@@ -83,9 +100,10 @@ LANES_INLINE lanes_int miss_centers(const struct corners *c, lanes_int clockwise
 
 /* ---- Classes ---- */
 
-/* Below 0 where the corners are clockwise, 0 where there is no area, otherwise above 0. Where no
- * side is longer than 2^15 (128 pixels), the area is below 2^31: that is asked for all at once,
- * since 64-bit products take several times as long. */
+/* The winding order: below 0 where the corners are clockwise, above 0 where they are
+ * counterclockwise, 0 where there is no area. If no side is longer than 2^15 (128 pixels), 32 bits
+ * hold twice the area; only otherwise are 64-bit products computed, which take several times as
+ * long. */
 LANES_INLINE lanes_int find_windings(const struct corners *c) {
     lanes_int x1 = c[1].x - c[0].x, y1 = c[1].y - c[0].y;
     lanes_int x2 = c[2].x - c[0].x, y2 = c[2].y - c[0].y;
@@ -101,11 +119,12 @@ LANES_INLINE lanes_int find_windings(const struct corners *c) {
     return windings;
 }
 
-/* The triangles with a winding that is culled. */
+/* The triangles whose winding order is culled. */
 LANES_INLINE lanes_int find_culled(lanes_int clockwise, enum cull cull) {
     return cull == CULL_BACK ? clockwise : cull == CULL_FRONT ? ~clockwise : (lanes_int){0};
 }
 
+/* Which corner is the lowest, and of several the leftmost? */
 LANES_INLINE lanes_int find_lowest(const struct corners *c) {
     lanes_int lowest = {0}, x = c[0].x, y = c[0].y;
     for (int i = 1; i < 3; i++) {
@@ -117,7 +136,7 @@ LANES_INLINE lanes_int find_lowest(const struct corners *c) {
     return lowest;
 }
 
-/* Before it is known which of the whole ones miss the centres. */
+/* The kinds of triangles, before it is known which of the whole ones cover no pixel centre. */
 LANES_INLINE lanes_int find_kinds(lanes_int all, lanes_int any, lanes_int turned_away) {
     lanes_int kind = lanes_int_all(TRIANGLE_WHOLE);
     kind = VECTOR_SELECT(turned_away, lanes_int_all(TRIANGLE_TURNED_AWAY), kind);

@@ -1,11 +1,25 @@
-/* Faces cut where they leave the view: as section 8e of lesson 8. See pipeline.h. */
+/*
+ * Clip: a face that crosses the near plane or leaves the guard band is cut at one plane after the
+ * other, as section 8e of lesson 8 teaches. (Sutherland and Hodgman, "Reentrant Polygon Clipping",
+ * 1974.) What is left is a convex polygon, drawn as a fan of triangles around its corner 0:
+ *
+ *            3----------2       triangle 1: corners 0, 1, 2
+ *          / |        .'|       triangle 2: corners 0, 2, 3
+ *        4   |     .'   |       triangle 3: corners 0, 3, 4
+ *         \  |  .'      |
+ *          \ |.'        |
+ *            0----------1
+ *
+ * Two faces that share an edge cut it at the very same point, so that no gap opens between them;
+ * and a face gives the same polygon whichever corner the model lists first.
+ */
 #include "pipeline.h"
 
 static const double near_w = NEAR_W;
 
 enum { CLIP_PLANES = 5 };
 
-/* Signed distances to the planes, positive inside. */
+/* The signed distance of a position from a plane, positive inside. */
 static double plane_distance(struct vec4 p, int plane, double guard_band) {
     switch (plane) {
     case 0:
@@ -25,8 +39,8 @@ static double mix(double from, double to, double t) {
     return from + t * (to - from);
 }
 
-/* Where an edge crosses the plane. Always computed from the corner inside to the one outside, so
- * that both faces of an edge find the very same point, and no gap opens between them. */
+/* The point where an edge crosses the plane. It is always computed from the corner inside to the
+ * one outside, so that both faces of the edge find the very same point. */
 static struct clip_corner cut_edge(const struct clip_corner *inside,
                                    const struct clip_corner *outside, double inside_distance,
                                    double outside_distance) {
@@ -39,8 +53,7 @@ static struct clip_corner cut_edge(const struct clip_corner *inside,
     };
 }
 
-/* The part of a polygon on the inner side of a plane (Sutherland and Hodgman, "Reentrant Polygon
- * Clipping", 1974). */
+/* The part of a polygon on the inner side of a plane. */
 static struct polygon clip_at_plane(const struct polygon *polygon, int plane, double guard_band) {
     struct polygon result = {.count = 0};
     for (size_t i = 0; i < polygon->count; i++) {
@@ -61,14 +74,14 @@ static struct polygon clip_at_plane(const struct polygon *polygon, int plane, do
     return result;
 }
 
-/* Is position a before b, in a fixed order? */
+/* Is position a before b, in an order that does not depend on the model's? */
 static bool is_before(struct vec4 a, struct vec4 b) {
     return a.y < b.y ||
            (a.y == b.y && (a.x < b.x || (a.x == b.x && (a.z < b.z || (a.z == b.z && a.w < b.w)))));
 }
 
-/* The part of a face that can be drawn. Cut from its first corner on, in a fixed order of
- * positions; the weights are of the face's corners as the model lists them. */
+/* The part of a face that can be drawn. Clipping starts at the corner that comes first in the order
+ * of is_before(); the weights belong to the corners as the model lists them. */
 struct polygon pipeline_clip_face(const struct recorded_call *recorded, size_t face) {
     const struct draw_call *call = &recorded->call;
     static const struct vec3 weight[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};

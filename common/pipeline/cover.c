@@ -1,7 +1,28 @@
-/* The pixels of a frame, band by band: cover, then have them shaded. See pipeline.h. */
+/*
+ * Cover: which piece is nearest at each pixel of a band? Then the band is shaded. See pipeline.h.
+ *
+ * A band has a depth buffer and a visibility buffer, the piece's number at each pixel. A piece is
+ * covered in its bounding box, as far as this is in the band. Three edge functions tell whether a
+ * pixel's centre is inside. TOGETHER pixels of a row are tested at once, so the box is cut into
+ * strips TOGETHER columns wide, from left to right, and a strip is covered from its lowest row up:
+ *
+ *     +---------+---------+---------+
+ *     | . . . . | . . # # | # # # # |
+ *     | . . . . | # # # # | # . . . |
+ *     | . . # # | # # . . | . . . . |
+ *     | # # . . | . . . . | . . . . |
+ *     +---------+---------+---------+
+ *       strip 0   strip 1   strip 2
+ *
+ * In a high box, each strip is covered only in the rows where an edge function may be inside: strip
+ * 2 of this box has two such rows.
+ *
+ * Edge functions are whole numbers that a double holds exactly, so the pixels are those of
+ * raster.c; a depth is computed from them, without adding up steps.
+ */
 #include "pipeline.h"
 
-/* In boxes higher than this many pixels it pays to ask in which rows a strip lies outside. */
+/* In boxes higher than this many rows it pays to find the rows in which a strip may be inside. */
 enum { HIGH_BOX = 8 };
 
 /* ---- Edges at the pixels of a box ---- */
@@ -14,14 +35,14 @@ LANES_INLINE double4 to_double4(int4 whole) {
 #endif
 }
 
-/* The edge functions at the centres of the pixels of a box: their values at its pixel (0,0), their
- * steps, and the least that is inside: 0, or 1 where 0 is not. All are whole numbers that a double
- * holds: see guard_band_of(). */
+/* The edge functions of a triangle in its box: their values at the centre of the box's pixel (0,0),
+ * their steps to the next pixel, and the least value that is inside, 0 or, by the top-left rule, 1.
+ * All are whole numbers that a double holds: see guard_band_of(). */
 struct box_edges {
     double4 origin, dx, dy, least;
 };
 
-/* Edge i lies opposite corner i; pixel (0,0) of the box is (left,bottom) of the image. */
+/* Edge i lies opposite corner i. Pixel (0,0) of the box is pixel (left,bottom) of the image. */
 static struct box_edges find_box_edges(const struct fixed2 c[3], int left, int bottom) {
     int4 ax = {c[1].x, c[2].x, c[0].x}, ay = {c[1].y, c[2].y, c[0].y};
     int4 bx = {c[2].x, c[0].x, c[1].x}, by = {c[2].y, c[0].y, c[1].y};
@@ -38,9 +59,9 @@ static struct box_edges find_box_edges(const struct fixed2 c[3], int left, int b
     };
 }
 
-/* The depth of a piece at a pixel is z0 + e1 k1 + e2 k2, with its exact edge functions e. (Not a
- * neighbour's depth and the step to this one: in a sliver these are far larger than the depth, and
- * so are their roundings.) */
+/* The depth of a piece at a pixel is z0 + e1 k1 + e2 k2, where e1 and e2 are the exact values of
+ * edge functions. (Steps from pixel to pixel would be far larger than the depth in a sliver, and so
+ * would their rounding errors.) */
 struct depth_slopes {
     double origin, k1, k2; /* z0, (z1 - z0) / area, (z2 - z0) / area */
 };
@@ -55,15 +76,16 @@ LANES_INLINE doubles depths_at(const struct depth_slopes *s, doubles e1, doubles
     return s->origin + e1 * s->k1 + e2 * s->k2;
 }
 
-/* Of TOGETHER strips of pixels side by side, TOGETHER columns each: the rows in which some may
- * be inside all edges, from the lowest row of the box on. */
+/* For each of TOGETHER strips, one beside the other: the rows in which a pixel may be inside all
+ * edges, counted from the lowest row of the box. */
 struct strip_rows {
     int32_t begin[TOGETHER], end[TOGETHER];
 };
 
-/* In a strip, the greatest value of each edge function is as much as is inside. The row where that
- * becomes 0 is a fraction of whole numbers, the lower of them up to 2^33: it is a whole number, or
- * farther from one than `little`; and what is found for it, nearer to it than that. */
+/* In a row of a strip, an edge function is greatest at one of the two ends. If even this value is
+ * outside, the row is. It changes between outside and inside at the row `greatest` / -dy. This is a
+ * quotient of whole numbers with a divisor up to 2^33, so it is a whole number or more than
+ * `little` away from one, and our rounding error is smaller. */
 LANES_INLINE struct strip_rows rows_of_strips(const struct box_edges *e, int row_count) {
     const double little = 0x1p-40;
     const doubles all = doubles_all(row_count), x = doubles_count() * TOGETHER;
@@ -87,10 +109,10 @@ LANES_INLINE struct strip_rows rows_of_strips(const struct box_edges *e, int row
 
 /* ---- Cover: which piece is nearest at each pixel ---- */
 
-/* What else is done. */
+/* What the loops over pixels do besides. Constants there: see cover_call(). */
 struct cover_how {
-    bool reordered; /* the nearest calls are covered first */
-    bool counts;    /* depth tests */
+    bool reordered; /* calls come nearest first: of equal depths, find which was drawn first */
+    bool counts;    /* count depth tests */
 };
 
 /* The box of a piece that is being covered. */
@@ -98,14 +120,14 @@ struct box {
     const struct piece *piece;
     uint32_t number;
     struct span columns, rows;
-    bool cut;               /* the piece reaches beyond the columns */
-    struct box_edges edges; /* at the next strip */
+    bool cut;               /* the piece has pixels in other columns, which must stay */
+    struct box_edges edges; /* from the next strip on */
     struct depth_slopes slopes;
     doubles right[3], up[3], least[3];
 };
 
-/* Where depths are equal: which of the old numbers are of a call that was drawn later than the
- * piece's? Rare, so one by one. */
+/* Where depths are equal: which of the old numbers belong to a call that was drawn later than the
+ * piece's? This is rare, so pixels are asked one by one. */
 static doubles_mask find_later(const struct call_band *band, doubles_mask equal,
                                const uint32_t *numbers, const struct piece *piece) {
     doubles later = {0};
@@ -116,10 +138,10 @@ static doubles_mask find_later(const struct call_band *band, doubles_mask equal,
     return mask_above(equal, later, doubles_all(0));
 }
 
-/* The depth test. Depths and numbers of neighbours become those of the piece where it is `inside`
- * and nearer; of equal depths that of the first drawn stays: the one that is there, except with
- * `reordered`, when the calls are asked. Without branches: each line is an instruction or two for
- * all pixels. Returns where the piece is shown now. */
+/* The depth test, for TOGETHER pixels: where the piece is `inside` and nearer, it replaces depth
+ * and number. Of equal depths the first drawn stays. This is the one that is there, but with
+ * `reordered` the calls must be compared. There are no branches for a single pixel: each line is an
+ * instruction or two for all of them. Returns where the piece is shown now. */
 LANES_INLINE doubles_mask cover_pixels(const struct call_band *band, const struct box *box,
                                        double *depths, uint32_t *numbers, doubles_mask inside,
                                        doubles z, bool reordered) {
@@ -141,14 +163,14 @@ LANES_INLINE doubles_mask cover_pixels(const struct call_band *band, const struc
     return nearer;
 }
 
-/* Mark that something may be drawn in these rows of the columns from x on. */
+/* Mark that something may be drawn in these rows of the chunk at x. */
 static void touch(const struct call_band *band, int x, struct span rows) {
     uint64_t before_end = (UINT64_C(1) << (rows.end - band->rows.begin)) - 1;
     int begin = rows.begin - band->rows.begin;
     band->chunks[(size_t)x / CHUNK_WIDTH].touched |= (uint32_t)(before_end >> begin << begin);
 }
 
-/* Some rows of a strip, the TOGETHER columns from x on. */
+/* Cover some rows of a strip, which is the TOGETHER columns from x on. */
 LANES_INLINE void cover_strip(const struct call_band *band, const struct box *box, int x,
                               struct span rows, struct cover_how how) {
     double4 first = box->edges.origin + box->edges.dy * (rows.begin - box->rows.begin);
@@ -156,9 +178,9 @@ LANES_INLINE void cover_strip(const struct call_band *band, const struct box *bo
     doubles e2 = first[2] + box->right[2];
     if (box->cut) {
         doubles at = doubles_count() + x;
-        doubles_mask seen = mask_not_below(mask_all(), at, doubles_all(box->columns.begin));
-        seen = mask_above(seen, doubles_all(box->columns.end), at);
-        e0 = doubles_select(seen, e0, doubles_all(-INFINITY));
+        doubles_mask within = mask_not_below(mask_all(), at, doubles_all(box->columns.begin));
+        within = mask_above(within, doubles_all(box->columns.end), at);
+        e0 = doubles_select(within, e0, doubles_all(-INFINITY));
     }
     struct chunk *chunk = &band->chunks[(size_t)x / CHUNK_WIDTH];
     double *depths = &chunk->depth[rows.begin - band->rows.begin][x % CHUNK_WIDTH];
@@ -182,7 +204,8 @@ LANES_INLINE void cover_strip(const struct call_band *band, const struct box *bo
     touch(band, x, rows);
 }
 
-/* Its strips, from left to right. Of high ones, only the rows where something may be inside. */
+/* Cover the strips of a box, from left to right; in a high box only the rows of a strip that may be
+ * inside. */
 LANES_INLINE void cover_strips(const struct call_band *band, struct box *box, int left,
                                struct cover_how how) {
     int row_count = box->rows.end - box->rows.begin, bottom = box->rows.begin, x = left;
@@ -205,15 +228,16 @@ LANES_INLINE void cover_strips(const struct call_band *band, struct box *box, in
     }
 }
 
-/* ---- What is behind ---- */
+/* ---- Hierarchical z: the farthest depth of a tile ---- */
 
-/* The rows of the band, counted from its lowest one, in which something is. */
+/* Those of the image's rows that are in the band, counted from its lowest one. */
 static struct span rows_in_band(const struct call_band *band, struct span rows) {
     rows = span_overlap(rows, band->rows);
     return (struct span){rows.begin - band->rows.begin, rows.end - band->rows.begin};
 }
 
-/* Find the farthest depth of a tile in a column of chunks; beyond the image nothing is drawn. */
+/* Find the farthest depth of a tile in a chunk; minus infinity as long as a row is empty. Pixels
+ * beyond the image do not count. */
 static double find_farthest(const struct call_band *band, int index, int tile) {
     const struct chunk *chunk = &band->chunks[index];
     double least[CHUNK_WIDTH];
@@ -239,7 +263,7 @@ static double find_farthest(const struct call_band *band, int index, int tile) {
     return least[0];
 }
 
-/* After a call, where it has changed something. */
+/* Find the farthest depths again, after a call, in the tiles that it may have changed. */
 static void update_farthest(const struct call_band *band) {
     struct span columns = band->columns, rows = rows_in_band(band, band->changed_rows);
     for (int x = columns.begin / CHUNK_WIDTH; x * CHUNK_WIDTH < columns.end; x++) {
@@ -251,8 +275,8 @@ static void update_farthest(const struct call_band *band) {
 
 /* ---- The pieces of a call ---- */
 
-/* All pixels of a piece's box, several tested at once: strip by strip, each from its lowest row on.
- * (Row by row, a processor would often be wrong about where the row ends.) */
+/* Cover a piece in its bounding box, unless it is behind all that is there. Strip by strip, because
+ * a processor predicts badly where the rows of a triangle end. */
 LANES_INLINE void cover_piece(struct call_band *band, uint32_t number, struct cover_how how) {
     const struct piece *piece = band->scratch->pieces[number - 1];
     const struct fixed2 *c = piece->corner;
@@ -284,6 +308,7 @@ LANES_INLINE void cover_piece(struct call_band *band, uint32_t number, struct co
     cover_strips(band, &box, left, how);
 }
 
+/* Cover the pieces of a call in the band. */
 LANES_INLINE void cover_pieces(struct call_band *band, struct cover_how how) {
     enum { AHEAD = 8 }; /* so that the memory is asked for a piece before it is covered */
     for (int i = band->numbers.begin; i < band->numbers.end; i++) {
@@ -304,7 +329,8 @@ static void shade(const struct call_band *band) {
     }
 }
 
-/* Keep what is visible in some rows of the columns, for what is discarded. */
+/* Keep what is visible in some rows of the columns, so that it can come back where pixels are
+ * discarded. */
 static void keep_before(const struct call_band *band, struct span rows) {
     int begin = rows.begin - band->rows.begin;
     size_t count = (size_t)(rows.end - rows.begin) * CHUNK_WIDTH;
@@ -316,7 +342,8 @@ static void keep_before(const struct call_band *band, struct span rows) {
     }
 }
 
-/* Cover and shade each piece before the next one is covered. */
+/* Cover and shade the pieces of a call one by one: each is shaded before the next one is covered.
+ * */
 static void draw_pieces(struct call_band *band) {
     const struct span numbers = band->numbers;
     const struct cover_how how = {false, band->frame->pipeline->counts_tests};
@@ -340,7 +367,7 @@ static void cover_call(struct call_band *band) {
         draw_pieces(band);
     } else if (how.counts) {
         cover_pieces(band, how);
-    } else if (how.reordered) { /* the same without asking for each pixel */
+    } else if (how.reordered) { /* a loop of its own, which asks none of this for a pixel */
         cover_pieces(band, (struct cover_how){true, false});
     } else {
         cover_pieces(band, (struct cover_how){false, false});
@@ -349,7 +376,7 @@ static void cover_call(struct call_band *band) {
 
 /* ---- A band ---- */
 
-/* Mark the pieces of which a pixel is visible. */
+/* Mark the pieces that some pixel of the band shows. */
 static void mark_visible(const struct call_band *band) {
     bool *is_visible = band->scratch->is_visible;
     memset(is_visible, 0, ((size_t)band->numbers.end + 1) * sizeof *is_visible);
@@ -374,7 +401,8 @@ static void keep_depth(const struct call_band *band) {
     }
 }
 
-/* While the rows are in the cache: the shaders write to them next. */
+/* Clear the band's rows of the image. This is done here because the shaders write to them next, and
+ * find them in the cache. */
 static void clear_image(const struct call_band *band) {
     const struct image *image = band->frame->image;
     size_t row_size = image->width * image->format;
@@ -382,8 +410,8 @@ static void clear_image(const struct call_band *band) {
            (size_t)(band->rows.end - band->rows.begin) * row_size);
 }
 
-/* Number the pieces of the call at that place of the order, behind those of the calls before it.
- * False where it has none in the band. */
+/* Make the call at that place in the order the band's current one, and number its pieces behind
+ * those of the calls before it. False where it has none in the band. */
 static bool next_call(struct call_band *band, size_t place) {
     const struct frame *frame = band->frame;
     const struct recorded_call *call = frame->order[place];
@@ -402,13 +430,14 @@ static bool next_call(struct call_band *band, size_t place) {
     return band->numbers.begin < band->numbers.end;
 }
 
+/* Is the current call behind everything that its rows of the band show? */
 static bool call_is_behind(const struct call_band *band) {
     struct screen_place place = band->call->place;
     place.rows = rows_in_band(band, place.rows);
     return band->frame->reordered && is_behind(band->frame, band->chunks, &place);
 }
 
-/* Cover the pieces of the round's calls in the band; those of earlier rounds are numbered only. */
+/* Cover the pieces of the round's calls in the band. Pieces of earlier rounds are only numbered. */
 static void cover_calls(struct call_band *band) {
     struct index_range round = band->frame->round;
     for (size_t i = 0; i < round.end; i++) {
@@ -427,7 +456,7 @@ static void cover_calls(struct call_band *band) {
     }
 }
 
-/* Shade what is visible of all calls in the band. */
+/* Shade the visible pixels of all calls in the band. */
 static void shade_calls(struct call_band *band) {
     band->numbers.end = 0;
     for (size_t i = 0; i < band->frame->order_count; i++) {

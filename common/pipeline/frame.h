@@ -1,6 +1,25 @@
 /*
- * Private to the pipeline: a frame, and all else that its stages know of each other. The table in
- * pipeline.h lists the stages in their order, and their files.
+ * Private to the pipeline: a frame, and everything else that its stages know of each other. The
+ * table in pipeline.h lists the stages in their order, and their files.
+ *
+ * A draw call is cut into blocks of positions and faces, which threads turn into pieces, triangles
+ * on the screen. The image is cut into bands of 32 rows, which threads draw one by one. A band is a
+ * row of chunks 16 columns wide; a chunk has a depth and a piece's number for each pixel, and four
+ * tiles, each with the farthest depth in it:
+ *
+ *     row 31  +----------------+----------------+----------------+---
+ *             | tile 3         |                |                |
+ *         24  |- - - - - - - - |- - - - - - - - |- - - - - - - - |
+ *             | tile 2         |                |                |
+ *         16  |- - - - - - - - |- - - - - - - - |- - - - - - - - |
+ *             | tile 1         |                |                |
+ *          8  |- - - - - - - - |- - - - - - - - |- - - - - - - - |
+ *             | tile 0         |                |                |
+ *      row 0  +----------------+----------------+----------------+---
+ *         x = 0     chunk 0    16     chunk 1   32     chunk 2   48
+ *
+ * The numbers belong to one band: pieces[number - 1] is the piece, and 0 means that nothing is
+ * drawn.
  */
 #ifndef COMMON_PIPELINE_FRAME_H
 #define COMMON_PIPELINE_FRAME_H
@@ -17,12 +36,11 @@
 #include <stdatomic.h>
 #include <stdlib.h>
 
-/* Rows are drawn in bands of this many, whose depths stay in the cache. */
+/* Rows of a band: so many that its depths stay in the cache. */
 enum { BAND_HEIGHT = 32 };
 _Static_assert(BAND_HEIGHT <= 32, "`touched` has a bit for each row");
 
-/* A row is divided into chunks of this many pixels, for however many LANES: what is touched is
- * known by the chunk; and what is farthest, by the tile of some chunks one above the other. */
+/* Columns of a chunk and rows of a tile. They do not depend on LANES. */
 enum { CHUNK_WIDTH = 16, TILE_HEIGHT = 8, BAND_TILES = BAND_HEIGHT / TILE_HEIGHT };
 _Static_assert(BAND_HEIGHT % TILE_HEIGHT == 0, "no tile lies in two bands");
 
@@ -33,8 +51,8 @@ struct index_range {
     size_t begin, end;
 };
 
-/* Where something may cover pixels, and what no depth of it is above: infinite where it may reach
- * the near plane. */
+/* The columns and rows that a call or a piece may cover, and an upper bound on its depth, which is
+ * infinite where it may reach the near plane. */
 struct screen_place {
     struct span columns, rows;
     double nearest;
@@ -43,11 +61,11 @@ struct screen_place {
 struct recorded_call {
     struct draw_call call;
     const struct shader *shader;
-    size_t uniforms;                 /* where they are in the frame's `uniforms` */
-    struct screen_place place;       /* first of the box around it, then of its pieces */
-    size_t first_block, block_count; /* none while it is not assembled, or hidden as a whole */
+    size_t uniforms;                 /* their offset in the frame's `uniforms` */
+    struct screen_place place;       /* at first of the model's box, later of its pieces */
+    size_t first_block, block_count; /* none before assembling, or where the call is hidden */
     size_t first_position;           /* in the frame's `positions` */
-    double guard_band;               /* where its faces are clipped: see guard_band_of() */
+    double guard_band;               /* its faces are clipped there: see guard_band_of() */
     atomic_uint beyond;              /* the sides that any of its positions is beyond */
 };
 
@@ -57,10 +75,10 @@ struct screen_position {
     double depth; /* z/w, linear on the screen */
 };
 
-/* A triangle on the screen: a face of the model, or a part that clipping left of one. One cache
- * line. */
+/* A triangle on the screen: a whole face, or a triangle of the fan that is left of a clipped one.
+ * It fills one cache line. */
 struct piece {
-    struct fixed2 corner[3]; /* counterclockwise; the lowest first, of those the leftmost */
+    struct fixed2 corner[3]; /* counterclockwise from the lowest, of several the leftmost */
     double depth[3];
     uint32_t face, call;
     uint8_t face_corner[3]; /* which corner of the face, or of the fan's triangle, each is */
@@ -69,37 +87,35 @@ struct piece {
     atomic_bool shown; /* one of these bands shows a pixel of it */
 };
 
-/* The positions and the faces of a call are shared out among threads in blocks of this many. */
+/* Threads share out the positions and the faces of a call in blocks of this many. */
 enum { BLOCK_SIZE = 1024 };
 
-/* Those of one block, and the pieces that its faces became. */
+/* A block, and the pieces that its faces became. */
 struct block {
     struct recorded_call *call;
     size_t begin; /* its first position, and its first face */
     struct piece *pieces;
     struct band_span {
         uint16_t first, last;
-    } * bands;        /* that each piece reaches */
+    } * bands;        /* the bands that each piece reaches */
     uint32_t *sorted; /* indices of pieces, band after band: see `band_starts` of the frame */
     size_t piece_count, piece_capacity, band_capacity, sorted_capacity;
-    struct span columns, rows; /* that the pieces may cover */
-    uint64_t *stats;           /* of the thread that assembles it */
+    struct span columns, rows; /* the pixels that the pieces may cover */
+    uint64_t *stats;           /* of the thread that assembles the block */
 };
 
 /* ---- Bands ---- */
 
-/* What is visible, so far, of a band's chunks in one column. (Behind the last number, one more is
- * read: see find_runs().) */
+/* What is visible so far in one chunk of a band. (find_runs() reads one number behind the last.) */
 struct chunk {
-    double depth[BAND_HEIGHT][CHUNK_WIDTH]; /* minus infinity: nothing is drawn */
-    uint32_t number[BAND_HEIGHT]
-                   [CHUNK_WIDTH]; /* of the piece: see struct scratch; 0: nothing is drawn */
-    double farthest[BAND_TILES];  /* of each tile: at most every pixel's depth */
-    uint32_t touched;             /* bit i: something may be drawn in row i */
+    double depth[BAND_HEIGHT][CHUNK_WIDTH];    /* minus infinity: nothing is drawn */
+    uint32_t number[BAND_HEIGHT][CHUNK_WIDTH]; /* of the piece; 0: nothing is drawn */
+    double farthest[BAND_TILES];               /* of each tile: no pixel's depth is less */
+    uint32_t touched;                          /* bit i: something may be drawn in row i */
     char apart[CACHE_LINE - BAND_TILES * sizeof(double) - sizeof(uint32_t)];
 };
 
-/* Make it what it was: nothing is drawn. Only what was touched has changed. */
+/* Empty a chunk: nothing is drawn. Only rows that were touched need it. */
 static inline void chunk_clear(struct chunk *chunk) {
     for (int row = 0; chunk->touched != 0; row++, chunk->touched >>= 1) {
         for (int i = 0; (chunk->touched & 1) != 0 && i < CHUNK_WIDTH; i++) {
@@ -112,8 +128,8 @@ static inline void chunk_clear(struct chunk *chunk) {
     }
 }
 
-/* The memory of a thread, for one band after the other. The pieces of a band have numbers from 1
- * on, one draw call's after the other's. */
+/* A thread's memory for the band that it draws. The pieces of a band are numbered from 1 on, draw
+ * call by draw call. */
 struct scratch {
     struct piece **pieces; /* number n is pieces[n - 1] */
     bool *is_visible;      /* [number]: some pixel of the band shows the piece */
@@ -121,24 +137,25 @@ struct scratch {
     uint32_t *colors;      /* [number]: of a visible piece whose shader is flat */
     uint32_t *plane_index; /* [number]: of a visible piece of other shaders: see planes_of() */
     real *planes;
-    struct chunk *before; /* where a shader discards: what was visible without its piece */
+    struct chunk *before; /* what was visible before the piece of a shader that discards */
     size_t piece_capacity, is_visible_capacity, visible_capacity, color_capacity;
     size_t plane_index_capacity, plane_capacity, before_capacity;
     uint64_t stats[PIPELINE_STATS];
     char apart[2 * CACHE_LINE]; /* from the next thread's */
 };
 
-/* A band that is drawn, one draw call after the other: what a shade_function works on. */
+/* A band while it is drawn, and the draw call whose turn it is: what a shade_function works on. */
 struct call_band {
     const struct frame *frame;
     struct span rows;
-    struct chunk *chunks; /* of the whole band */
+    struct chunk *chunks; /* of the whole band, from left to right */
     struct scratch *scratch;
     uint64_t *stats;
     const struct recorded_call *call;
     const void *uniforms;
-    struct span numbers;               /* of the call's pieces: begin + 1 to end */
-    struct span columns, changed_rows; /* where they are shaded, or were covered */
+    struct span numbers;      /* the call's pieces have the numbers begin + 1 to end */
+    struct span columns;      /* where they are shaded, or were covered */
+    struct span changed_rows; /* where they were covered */
 };
 
 /* ---- A frame ---- */
@@ -155,11 +172,11 @@ struct frame {
     size_t uniforms_end, uniforms_capacity;
     bool discards; /* one of the shaders does */
     /* Ordered: */
-    struct recorded_call **order; /* the calls that may cover pixels, as they are covered */
+    struct recorded_call **order; /* the calls that may cover pixels, first to last */
     size_t order_count, order_capacity;
-    bool reordered;           /* the nearest first */
-    struct index_range round; /* of the order, what comes in this round */
-    bool kept;                /* there are several: each band has its own visibility */
+    bool reordered;           /* the nearest first, not the first drawn */
+    struct index_range round; /* the places in the order whose turn it is */
+    bool kept;                /* several rounds: each band has chunks of its own */
     /* Transformed: positions, and the sides of the view that they are beyond. */
     struct screen_position *positions;
     double *recip_w; /* 1/w; 0 where they have no place */
@@ -169,12 +186,12 @@ struct frame {
     struct block *blocks;
     uint32_t *band_starts; /* of each block, in `sorted`: one for each band, and the end */
     size_t block_count, block_capacity, start_capacity;
-    size_t blocks_made;    /* that have memory */
+    size_t blocks_made;    /* blocks that have memory, also of earlier frames */
     size_t round_block;    /* the first one of the round */
     size_t sorted_count;   /* entries of all `sorted` */
     atomic_bool exhausted; /* a thread ran out of memory */
     /* Drawn: */
-    struct chunk *chunks;    /* of one band a thread or, if `kept`, of all bands */
+    struct chunk *chunks;    /* of one band for each thread or, if `kept`, of all bands */
     struct scratch *scratch; /* one a thread; NULL before the first frame */
     size_t chunk_capacity;
 };
@@ -200,15 +217,15 @@ static inline bool place_is_empty(const struct screen_place *place) {
     return place->columns.begin >= place->columns.end || place->rows.begin >= place->rows.end;
 }
 
-/* At least the depth at every pixel of a piece with those depths at its corners, whatever
- * roundings: these amount to a few ulp of them. */
+/* An upper bound on the depth at the pixels of a piece with these depths at its corners. Rounding
+ * errors are a few ulp of the depths, less than what is added. */
 static inline double nearest_of_depths(const double z[3]) {
     double most = z[0] > z[1] ? z[0] : z[1];
     return (most > z[2] ? most : z[2]) + 1e-14 * (fabs(z[0]) + fabs(z[1]) + fabs(z[2]));
 }
 
-/* The columns, or rows, whose pixel centres the box of a triangle reaches, in an image without end.
- * centers_between() of raster.h, with shifts. */
+/* The columns, or rows, with a pixel centre in the bounding box of a triangle, in an image without
+ * end. */
 static inline struct span box_centers(int32_t a, int32_t b, int32_t c) {
     return (struct span){FIRST_CENTER(least_of(a, b, c)), LAST_CENTER(most_of(a, b, c)) + 1};
 }
@@ -221,8 +238,8 @@ static inline struct span rows_of(const struct rectangle *viewport) {
     return (struct span){viewport->y, viewport->y + viewport->height};
 }
 
-/* Is everything in a place behind what is shown in every tile that it reaches? Rows are counted
- * from the lowest one of the first of these bands. */
+/* Is everything in a place behind the farthest depth of every tile that it reaches? Row 0 is the
+ * lowest row of the first band in `bands`. */
 static inline bool is_behind(const struct frame *frame, const struct chunk *bands,
                              const struct screen_place *place) {
     for (int y = place->rows.begin / TILE_HEIGHT; y * TILE_HEIGHT < place->rows.end; y++) {
@@ -237,7 +254,7 @@ static inline bool is_behind(const struct frame *frame, const struct chunk *band
     return true;
 }
 
-/* The same, of what the rounds before this one have covered. */
+/* Is everything in a place behind what earlier rounds have covered? */
 static inline bool is_hidden(const struct frame *frame, const struct screen_place *place) {
     return frame->round.begin > 0 && !place_is_empty(place) &&
            is_behind(frame, frame->chunks, place);
@@ -245,7 +262,7 @@ static inline bool is_hidden(const struct frame *frame, const struct screen_plac
 
 /* ---- Positions ---- */
 
-/* Nearer than this part of the camera's distance nothing is drawn: 1/w would grow without bound. */
+/* The near plane. Where w is less, nothing is drawn: 1/w would grow without bound. */
 #define NEAR_W (1.0 / 128)
 
 /* Sides of the view that a position is beyond. */
@@ -262,9 +279,9 @@ enum {
 
 /* ---- Faces that are clipped: clip.c ---- */
 
-/* A convex polygon gains at most one corner at each plane. Where coordinates differ by many
- * orders of magnitude, rounding can make the polygon not convex, and n corners become up to n +
- * n/2 at each of the five planes: 3, 4, 6, 9, 13, 19. */
+/* A convex polygon gains at most one corner at each plane. But where coordinates differ by many
+ * orders of magnitude, rounding can make it concave, and n corners become up to n + n/2 at each of
+ * the five planes: 3, 4, 6, 9, 13, 19. */
 enum { POLYGON_LIMIT = 19 };
 
 struct polygon {
@@ -280,7 +297,7 @@ struct polygon pipeline_clip_face(const struct recorded_call *call, size_t face)
 
 /* ---- What becomes of a face: classify.c ---- */
 
-/* What a face is, or a part of a clipped one. */
+/* What becomes of a triangle: a face, or a triangle of a clipped face's fan. */
 enum triangle_kind {
     TRIANGLE_OUTSIDE,       /* beyond one side of the view */
     TRIANGLE_TURNED_AWAY,   /* culled */
@@ -293,21 +310,21 @@ enum triangle_kind {
 enum { BATCH_SIZE = 64 };
 
 struct batch {
-    size_t count; /* behind them may be anything that fits the screen */
+    size_t count; /* elements behind the last triangle may hold any positions on the screen */
     /* Their corners on the screen, in 1/256 pixel (anything, where a corner has no place there),
      * and the sides that all of the corners, and any of them, are beyond. */
     int32_t x[3][BATCH_SIZE], y[3][BATCH_SIZE];
     int32_t beyond_all[BATCH_SIZE], beyond_any[BATCH_SIZE];
-    /* Found by batch_classify(); all but the first only of what is whole: */
+    /* Found by batch_classify(), all but `kind` only for triangles that are whole: */
     int32_t kind[BATCH_SIZE]; /* of enum triangle_kind */
-    /* The lowest corner, of those the leftmost; and the next, counterclockwise. */
+    /* The lowest corner, of several the leftmost; and the next one, counterclockwise. */
     int32_t first[BATCH_SIZE], second[BATCH_SIZE];
-    /* The pixel centres of its box in the viewport, inclusive. */
+    /* The pixel centres of its bounding box in the viewport, inclusive. */
     int32_t left[BATCH_SIZE], right[BATCH_SIZE], bottom[BATCH_SIZE], top[BATCH_SIZE];
 };
 
-/* Classify the triangles. With `skip` off those that miss the centres in their box are not looked
- * for. */
+/* Classify the triangles. With `skip` off, small triangles that miss all centres in their box count
+ * as whole. */
 void batch_classify(struct batch *batch, const struct draw_call *call, bool skip);
 
 /* ---- The stages ---- */
@@ -322,10 +339,11 @@ void pipeline_next_round(struct frame *frame);
  * whole: adds their blocks. */
 bool pipeline_assemble_round(struct frame *frame, struct error *error);
 
-/* Cover the round's pieces in band `index` of a frame, which is kept: see worker_function. */
+/* Cover the round's pieces in band `index` of a frame whose chunks are kept: see worker_function.
+ * */
 void pipeline_cover_band(void *frame, size_t index, size_t worker);
 
-/* Draw band `index` of a frame: shade what is visible, and cover first, if it was not kept. */
+/* Draw band `index` of a frame: cover what is left to cover, then shade what is visible. */
 void pipeline_draw_band(void *frame, size_t index, size_t worker);
 
 #endif

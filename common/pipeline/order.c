@@ -1,15 +1,22 @@
 /*
- * Draw calls as a whole, by the box around each model: which of them need not be drawn, in which
- * order and in which rounds the others are covered. See pipeline.h.
+ * Order: which draw calls need no drawing, and when is the turn of the others? See pipeline.h.
+ *
+ * The eight corners of the box around a model say where it can be on the screen, and how near. A
+ * call whose box is beyond one side of the view is dropped. If the others overlap, the nearest ones
+ * come first, in rounds of 4, 4, 8, 16, ... calls: before a round begins, what the rounds before it
+ * have covered may hide whole calls of it.
+ *
+ * Boxes are enlarged by more than all rounding errors, so that no call is dropped of which a pixel
+ * would be visible.
  */
 #include "pipeline.h"
 
-/* The calls of the first round; and how many there must be for more than one. */
+/* How many calls the first round has, and how many a frame must have for a second round. */
 enum { FIRST_ROUND = 4, MANY = 16 };
 
 /* ---- Boxes ---- */
 
-/* In a model's own space: the least and the greatest coordinates. */
+/* The box around a model in its own space: its least and its greatest coordinates. */
 struct model_box {
     struct vec3 side[2];
 };
@@ -26,7 +33,7 @@ static struct model_box find_box(const struct model *model) {
     return (struct model_box){{least, most}};
 }
 
-/* More than any roundings of a clip coordinate of a point in the box: these amount to a few ulp of
+/* More than the rounding error of any clip coordinate of a point in the box, which is a few ulp of
  * the sum of its terms. */
 static double find_slack(const struct mat4 *to_clip, const struct model_box *box) {
     const struct vec3 *a = &box->side[0], *b = &box->side[1];
@@ -38,7 +45,7 @@ static double find_slack(const struct mat4 *to_clip, const struct model_box *box
     return 4e-14 * most;
 }
 
-/* The pixels between two places in NDC, and one more on either side, cut to the viewport. */
+/* The pixels between two NDC coordinates, and one more on either side, cut to the viewport. */
 static struct span find_pixels(double least, double most, int first, int size) {
     double begin = first + (least + 1) * (size / 2.0) - 1,
            end = first + (most + 1) * (size / 2.0) + 2;
@@ -48,16 +55,16 @@ static struct span find_pixels(double least, double most, int first, int size) {
     return (struct span){(int)(begin > last ? last : begin), (int)(end < first ? first : end)};
 }
 
-/* What is not a number is beyond everything. */
+/* The sides of the view that a position is beyond; NaN is beyond all of them. */
 static unsigned beyond_sides(struct vec4 p) {
     return (p.x >= -p.w ? 0U : BEYOND_LEFT) | (p.x <= p.w ? 0U : BEYOND_RIGHT) |
            (p.y >= -p.w ? 0U : BEYOND_BOTTOM) | (p.y <= p.w ? 0U : BEYOND_TOP) |
            (p.w >= NEAR_W ? 0U : BEYOND_NEAR);
 }
 
-/* Where the box may be on the screen: nowhere if it is beyond a side of the view. Exactly, a side's
- * x + w (or the like), and a quotient before the near plane, are least and greatest at corners of
- * the box. What is computed may be off by roundings. */
+/* Where the box may be on the screen: nowhere if all of it is beyond one side of the view. It is
+ * enough to look at its corners: there, x + w and the like are least and greatest, and so are x/w,
+ * y/w and z/w in front of the near plane. The slack makes up for rounding errors. */
 static struct screen_place find_place(const struct draw_call *call, const struct model_box *box) {
     const struct rectangle *v = &call->viewport;
     struct screen_place place = {columns_of(v), rows_of(v), INFINITY};
@@ -87,8 +94,8 @@ static struct screen_place find_place(const struct draw_call *call, const struct
     return place;
 }
 
-/* Are a few of the positions beyond one side, as all of a model outside must be? The box around one
- * large model takes longer to find than it saves. */
+/* Is it worth finding the box of the only model? That takes long for a large one, and is of no use
+ * unless all of it is beyond one side of the view: so a few positions are asked first. */
 static bool may_be_outside(const struct draw_call *call) {
     const struct model *model = call->model;
     unsigned beyond = BEYOND_ONE_SIDE;
@@ -104,7 +111,8 @@ static uint64_t area_of(struct span columns, struct span rows) {
     return (uint64_t)(columns.end - columns.begin) * (uint64_t)(rows.end - rows.begin);
 }
 
-/* May the calls overlap on the screen? Pictures side by side do not, and have no order. */
+/* Do calls overlap on the screen? They must if their places have more pixels in sum than the
+ * rectangle around all. Pictures side by side do not, and need no order. */
 static bool calls_overlap(const struct frame *frame) {
     struct span columns = {INT_MAX, 0}, rows = columns;
     uint64_t sum = 0;
@@ -130,7 +138,7 @@ static int compare_calls(const void *left, const void *right) {
 
 /* List the calls that may cover pixels, and count the others. */
 static void list_calls(struct frame *frame) {
-    const struct model *of = NULL; /* many draw one model again and again */
+    const struct model *of = NULL; /* whose box it is: calls often draw one model again */
     struct model_box box = {{{0, 0, 0}, {0, 0, 0}}};
     uint64_t *stats = frame->pipeline->stats;
     frame->order_count = 0;

@@ -1,7 +1,18 @@
 /*
- * Private to the pipeline: the pixels of one draw call in one band are shaded. In a header, because
- * SHADER() compiles these loops again for every shader. pipeline.h includes it at its end. All are
- * inlined where their shader is a constant: so the compiler can inline the shader in turn.
+ * Private to the pipeline: fetch and shade, for one draw call in one band.
+ *
+ * Fetch: the band has the number of a piece at each pixel. The call's visible pieces are listed,
+ * and the shader's vertex function is asked for the varyings at their corners, from which planes.h
+ * makes what the pixels need. Shade: LANES pixels of a row are shaded at once. Mostly they belong
+ * to one piece, but they need not:
+ *
+ *     numbers     7  7  7  7  7  3  3  3      two runs of equal numbers
+ *     planes      of piece 7     of piece 3   taken run by run
+ *     varyings    one division by w, and one call of the shader's fragment function, for all lanes
+ *
+ * This is a header because SHADER() compiles these loops once more for each shader. All functions
+ * are inlined where `shader` is a constant, so that the compiler can inline the shader's functions,
+ * too. pipeline.h includes it at its end.
  */
 #ifndef COMMON_PIPELINE_SHADE_H
 #define COMMON_PIPELINE_SHADE_H
@@ -13,12 +24,12 @@
 #include "pipeline/frame.h"
 #include "pipeline/planes.h"
 
-/* Have the bytes of a texel in memory the order of a BGRA image? */
+/* Are the bytes of a texel in memory ordered as those of a BGRA pixel? */
 enum { IS_LITTLE_ENDIAN = __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__ };
 
 /* ---- Fetching: once for each visible piece of a draw call ---- */
 
-/* A corner of a face becomes corner c of number i of those. */
+/* Put a corner of a whole face into `to`, as corner c of piece i. */
 LANES_INLINE void put_corner(const struct call_band *band, const struct shader *shader,
                              uint32_t face, size_t corner, struct corners_together *to, size_t c,
                              size_t i) {
@@ -32,7 +43,8 @@ LANES_INLINE void put_corner(const struct call_band *band, const struct shader *
     }
 }
 
-/* The corners of a triangle that clipping left of a face: mixed from the corners of the face. */
+/* Put the corners of a triangle that is left of a clipped face into `to`, as those of piece i.
+ * Their varyings are mixed from those at the face's corners. */
 LANES_INLINE void put_clipped_corners(const struct call_band *band, const struct shader *shader,
                                       const struct piece *piece, struct corners_together *to,
                                       size_t i) {
@@ -53,7 +65,7 @@ LANES_INLINE void put_clipped_corners(const struct call_band *band, const struct
     }
 }
 
-/* The corners of a piece become number i of those. */
+/* Put the corners of a piece into `to`, as those of piece i. */
 LANES_INLINE void put_corners(const struct call_band *band, const struct shader *shader,
                               const struct piece *piece, struct corners_together *to, size_t i) {
     for (size_t c = 0; c < 3; c++) {
@@ -68,8 +80,8 @@ LANES_INLINE void put_corners(const struct call_band *band, const struct shader 
     }
 }
 
-/* A visible piece of a number was counted as hidden, as all are at first: take it out of that count,
- * once, whichever of its bands comes first. */
+/* The visible piece of a number. All pieces count as hidden at first; the first band that shows a
+ * piece takes it out of this count. */
 static inline const struct piece *uncount_hidden(const struct call_band *band, uint32_t number) {
     struct piece *piece = band->scratch->pieces[number - 1];
     bool is_first = !piece->in_several_bands || !atomic_exchange(&piece->shown, true);
@@ -77,8 +89,8 @@ static inline const struct piece *uncount_hidden(const struct call_band *band, u
     return piece;
 }
 
-/* List the numbers of the visible pieces of the draw call; returns how many they are. Without a
- * branch: no processor could foresee it. */
+/* List the numbers of the call's visible pieces, and return how many there are. Without a branch,
+ * which no processor could predict. */
 LANES_INLINE uint32_t list_visible(const struct call_band *band) {
     uint32_t *visible = band->scratch->visible, count = 0;
     for (uint32_t number = (uint32_t)band->numbers.begin + 1; number <= (uint32_t)band->numbers.end;
@@ -89,7 +101,7 @@ LANES_INLINE uint32_t list_visible(const struct call_band *band) {
     return count;
 }
 
-/* Ask the memory for a piece that will be fetched soon, and for the face of a sooner one. */
+/* Ask the memory for a piece that will be fetched soon, and for the face of an even sooner one. */
 LANES_INLINE void expect_pieces(const struct call_band *band, const uint32_t *visible,
                                 uint32_t count) {
     enum { PIECES_AHEAD = 16, FACES_AHEAD = 8 };
@@ -105,7 +117,7 @@ LANES_INLINE void expect_pieces(const struct call_band *band, const uint32_t *vi
     }
 }
 
-/* Fetch the planes of the visible pieces. */
+/* Find the planes of the visible pieces. */
 LANES_INLINE void fetch_planes(const struct call_band *band, const struct shader *shader,
                                uint32_t count) {
     const uint32_t *visible = band->scratch->visible;
@@ -123,7 +135,7 @@ LANES_INLINE void fetch_planes(const struct call_band *band, const struct shader
     }
 }
 
-/* What a fragment finds in its varyings. */
+/* Make of the interpolated varyings what the fragment function gets. */
 LANES_INLINE void prepare_varyings(const struct call_band *band, const struct shader *shader,
                                    lanes *varyings) {
     if (shader->prepare != NULL) {
@@ -131,12 +143,12 @@ LANES_INLINE void prepare_varyings(const struct call_band *band, const struct sh
     }
 }
 
-/* The shader gives a piece one colour. (One that discards decides for each pixel.) */
+/* Does the shader give a whole piece one colour? (One that discards decides at each pixel.) */
 LANES_INLINE bool has_colors(const struct shader *shader) {
     return shader->flat && !shader->discards;
 }
 
-/* Find the colours of the visible pieces, of LANES at once. */
+/* Find the colours of the visible pieces, LANES at once. */
 LANES_INLINE void fetch_colors(const struct call_band *band, const struct shader *shader,
                                uint32_t count) {
     const uint32_t *visible = band->scratch->visible;
@@ -162,8 +174,8 @@ LANES_INLINE void fetch_colors(const struct call_band *band, const struct shader
     }
 }
 
-/* Fetch what the visible pieces of the draw call need, in the order of the model, whose faces lie
- * close together in memory there. Returns how many these are. */
+/* Fetch what the call's visible pieces need, in the order of the model, in which the faces are
+ * close together in memory. Returns how many pieces there are. */
 LANES_INLINE uint32_t fetch_visible(const struct call_band *band, const struct shader *shader) {
     uint32_t count = list_visible(band);
     if (has_colors(shader)) {
@@ -177,13 +189,13 @@ LANES_INLINE uint32_t fetch_visible(const struct call_band *band, const struct s
 
 /* ---- The varyings of several pixels at once ---- */
 
-/* Planes at LANES neighbours of a row, which may belong to several pieces, and what each has of its
- * piece's corners. */
+/* The values of the planes at LANES neighbours of a row, which may belong to several pieces, and
+ * the number that each plane has of its piece's corners. */
 struct lanes_planes {
     lanes at[VARYING_LIMIT + 1], corner[VARYING_LIMIT + 1];
 };
 
-/* From lane `first` on, the planes become those of a piece at pixels x of row y. */
+/* From lane `first` on, take the planes of a piece at pixels x of row y. */
 LANES_INLINE void take_planes(struct lanes_planes *to, int first, const struct shader *shader,
                               const real *from, lanes x, real y) {
     lanes right = x - from[PLANES_X0 * TOGETHER];
@@ -197,7 +209,7 @@ LANES_INLINE void take_planes(struct lanes_planes *to, int first, const struct s
     }
 }
 
-/* Planes that are 0 everywhere. */
+/* Planes for lanes of no piece: all varyings are 0. */
 LANES_INLINE void clear_planes(struct lanes_planes *planes, const struct shader *shader) {
     for (size_t i = 0; i <= shader->varying_count; i++) {
         planes->at[i] = lanes_all(0);
@@ -205,6 +217,7 @@ LANES_INLINE void clear_planes(struct lanes_planes *planes, const struct shader 
     }
 }
 
+/* Perspective-correct varyings: what the numerators are, divided by the denominator. */
 LANES_INLINE void divide_planes(const struct lanes_planes *planes, const struct shader *shader,
                                 lanes *varyings) {
     size_t n = shader->varying_count;
@@ -225,8 +238,8 @@ static inline void write_texel(struct image *image, uint8_t *pixel, uint32_t tex
     }
 }
 
-/* Write the lanes that are `drawn`. What is in the image is read only where some stays: it may be
- * far from the cache. */
+/* Write the lanes that are `drawn`. The image is read only if some of its pixels stay, since it may
+ * be far from the cache. */
 LANES_INLINE void write_lanes(struct image *image, int x, int y, lanes_texel color,
                               lanes_int drawn) {
     uint8_t *pixels = image->pixels + ((size_t)y * image->width + (size_t)x) * image->format;
@@ -252,12 +265,13 @@ LANES_INLINE void write_lanes(struct image *image, int x, int y, lanes_texel col
 
 /* ---- Shading what is visible ---- */
 
+/* Is it a number of the current draw call? */
 LANES_INLINE bool has_number(const struct call_band *band, uint32_t number) {
     return number > (uint32_t)band->numbers.begin && number <= (uint32_t)band->numbers.end;
 }
 
-/* Where other runs of equal numbers begin: bit i where pixel i has another number than the one
- * before it. The number behind the LANES pixels is read, too. */
+/* Where do runs of equal numbers begin, but the first one? Bit i of the result is set where pixel i
+ * has another number than pixel i - 1. The number behind the LANES pixels is read, too. */
 LANES_INLINE uint32_t find_runs(const uint32_t number[LANES + 1]) {
     lanes_texel here, next;
     memcpy(&here, number, sizeof here);
@@ -266,8 +280,8 @@ LANES_INLINE uint32_t find_runs(const uint32_t number[LANES + 1]) {
     return ends << 1 & ((UINT32_C(1) << LANES) - 1);
 }
 
-/* The varyings of LANES pixels, which may belong to several pieces: the planes are taken run by
- * run, mostly one, and divided by w once. False when none of the pixels is of this draw call. */
+/* Find the varyings of LANES pixels: take the planes run by run, and divide once. False if none of
+ * the pixels belongs to this draw call. */
 LANES_INLINE bool gather_varyings(const struct call_band *band, const struct shader *shader,
                                   const uint32_t number[LANES + 1], int x, int y, lanes *varyings) {
     struct lanes_planes planes;
@@ -302,7 +316,8 @@ struct pixels {
     lanes varyings[VARYING_LIMIT];
 };
 
-/* Find what is to be shaded at (x,y). False when none of the pixels is of this draw call. */
+/* Find what there is to shade in the LANES pixels from (x,y) on. False if none of them belongs to
+ * this draw call. */
 LANES_INLINE bool gather_pixels(const struct call_band *band, const struct shader *shader,
                                 const uint32_t number[LANES + 1], int x, int y,
                                 struct pixels *pixels) {
@@ -319,8 +334,8 @@ LANES_INLINE bool gather_pixels(const struct call_band *band, const struct shade
     return has_colors(shader) || gather_varyings(band, shader, number, x, y, pixels->varyings);
 }
 
-/* Of the pixels that are drawn, those that the shader discards show again what they showed before.
- * Returns the others. */
+/* Let the pixels that the shader discards show again what they showed before. Returns those that it
+ * keeps. */
 LANES_INLINE lanes_int take_back(const struct call_band *band, const struct pixels *pixels,
                                  lanes_mask kept) {
     size_t chunk = (size_t)pixels->x / CHUNK_WIDTH, first = (size_t)pixels->x % CHUNK_WIDTH;
@@ -341,7 +356,7 @@ LANES_INLINE void shade_pixels(const struct call_band *band, const struct shader
                                const struct pixels *pixels) {
     lanes_texel color;
     lanes_int drawn = pixels->drawn;
-    if (has_colors(shader)) { /* colours of other draw calls are of no use */
+    if (has_colors(shader)) { /* of other draw calls' numbers anything, which is not drawn */
         color = lanes_fetch(band->scratch->colors, pixels->number);
     } else {
         lanes_mask kept = shader->fragment(band->uniforms, pixels->varyings, &color);
@@ -350,10 +365,11 @@ LANES_INLINE void shade_pixels(const struct call_band *band, const struct shader
     write_lanes(band->frame->image, pixels->x, pixels->y, color, drawn);
 }
 
-/* The pixels of the draw call in LANES columns of the band. All are gathered, and prepared, before
- * the first is shaded: a processor foresees badly how many pieces there are, and would begin again
- * with texels that are on their way. (Colours wait for nothing: at once, in 0.94 of the time of a
- * frame.) Returns how many pixels there were in each column. */
+/* Shade the draw call's pixels in LANES columns of the band. All of them are gathered and prepared
+ * before the first is shaded: a processor predicts badly how many runs there are, and when it was
+ * wrong it would drop the reads of texels that it had begun. (A piece of one colour reads none, so
+ * its pixels are shaded at once, in 0.94 of the time of a frame.) Returns the pixels of each
+ * column. */
 LANES_INLINE lanes_int shade_columns(const struct call_band *band, const struct shader *shader,
                                      int x) {
     const struct chunk *chunk = &band->chunks[(size_t)x / CHUNK_WIDTH];
@@ -383,9 +399,9 @@ LANES_INLINE lanes_int shade_columns(const struct call_band *band, const struct 
     return shaded;
 }
 
-/* Each visible pixel of the draw call once, in columns: what lies above a chunk is mostly of the
- * same pieces, and its texels are next to those just fetched. SHADER() compiles this for a
- * shader. */
+/* Shade each visible pixel of the draw call once. SHADER() compiles this for a shader. It goes
+ * column by column, because the pixels above mostly belong to the same pieces, and their texels are
+ * next to those just fetched. */
 LANES_INLINE void shade_visible(const struct call_band *band, const struct shader *shader) {
     lanes_int shaded = {0};
     if (fetch_visible(band, shader) == 0) {

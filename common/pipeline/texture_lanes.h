@@ -1,20 +1,28 @@
-/* The bilinear sample of texture.h for several pixels at once: see lanes.h. */
+/*
+ * The bilinear sample that lesson 6 teaches, for LANES pixels at once: see lanes.h.
+ *
+ * A sample mixes the four texels around a place in a texture. Each lane has a place of its own, so
+ * the texels of a sample may be anywhere in memory, and a processor waits long for those that are
+ * not in its cache. So the sample comes in steps, and a shader can do a step for all its textures
+ * before the next step: find the places, fetch the texels, mix them. texture_lanes() does all
+ * three.
+ */
 #ifndef COMMON_PIPELINE_TEXTURE_LANES_H
 #define COMMON_PIPELINE_TEXTURE_LANES_H
 
 #include "pipeline/vectors.h"
 #include "texture.h"
 
-/* A place between texel centres along one axis: the lower one of its two neighbours, and how far it
- * lies towards the other. */
+/* A place between texel centres along one axis: the lower of its two neighbours, and how far the
+ * place is from this one towards the other, 0 to 1. */
 struct lanes_place {
     lanes_int texel;
     lanes fraction;
 };
 
-/* Along an axis of `size` texels: whole pictures are taken away, or nothing where `recip` is 0.
- * What has hardly a fraction left (beyond 2^22), and what is not a number, is somewhere in the
- * picture. */
+/* Find the place of a texture coordinate along an axis of `size` texels. Whole repetitions are
+ * subtracted, or none where `recip` is 0. Coordinates beyond 2^22, which have hardly a fraction
+ * left, and NaN get some place in the picture. */
 LANES_INLINE struct lanes_place lanes_find_texel(lanes coordinate, real size, real recip,
                                                  real most) {
     lanes place = coordinate * size - 0.5f;
@@ -24,11 +32,11 @@ LANES_INLINE struct lanes_place lanes_find_texel(lanes coordinate, real size, re
     return (struct lanes_place){texel, place - lanes_from_int(texel)};
 }
 
-/* Where the four texels around each pixel's place are in a level of that kind. */
+/* Where each lane's four texels are in a level. It is the same place in all levels of one kind. */
 struct texel_place {
-    uint64_t kind;       /* the level's; 0: none yet */
-    lanes_texel bytes;   /* from the first texel to the lower left one */
-    lanes across, along; /* how far the place lies from that one to the right and up, 0 to 1 */
+    uint64_t kind;       /* of the level; 0: no place is found yet */
+    lanes_texel bytes;   /* from the level's first texel to the lower left one */
+    lanes across, along; /* how far the place is from this one to the right and up, 0 to 1 */
 };
 
 /* The four texels, mixed by texels_mix(). */
@@ -37,6 +45,7 @@ struct texels {
     lanes weight[4];      /* sum 1 */
 };
 
+/* Find the places of texture coordinates in a level. */
 LANES_INLINE struct texel_place texture_find(const struct texture_level *level, lanes u, lanes v) {
     struct lanes_place x =
         lanes_find_texel(u, level->columns, level->recip_columns, level->most_columns);
@@ -46,9 +55,8 @@ LANES_INLINE struct texel_place texture_find(const struct texture_level *level, 
                                 y.fraction};
 }
 
-/* Ask the memory for texels some rows above these, and for the next above those: the pixels above
- * will need them, or their neighbours, and find it in the cache. (Beyond the texture nothing
- * happens.) */
+/* Ask the memory for texels in two rows some way above these: the pixels above will need them or
+ * their neighbours, and find them in the cache. (Beyond the texture this does nothing.) */
 LANES_INLINE void texture_expect(const struct texture_level *level, const uint32_t *texels,
                                  lanes_texel bytes) {
     enum { ROWS_AHEAD = 10 };
@@ -61,13 +69,14 @@ LANES_INLINE void texture_expect(const struct texture_level *level, const uint32
     }
 }
 
-/* That level, clamped to the last one. */
+/* The level of that number, or else the last one. */
 LANES_INLINE const struct texture_level *texture_level_of(const struct texture *texture,
                                                           size_t level) {
     size_t last_level = texture->level_count - 1;
     return &texture->level[level < last_level ? level : last_level];
 }
 
+/* Fetch the four texels of each lane, and find their weights. */
 LANES_INLINE struct texels texels_fetch(const struct texture_level *level,
                                         const struct texel_place *place) {
     struct texels t;
@@ -81,9 +90,10 @@ LANES_INLINE struct texels texels_fetch(const struct texture_level *level,
     return t;
 }
 
-/* Fetch from one level (clamped to the last one). `place` is all zero, or where the last fetch at
- * the same uv was: textures of one size have the same places. Memory is slow: fetch from several
- * textures first, and mix then, so that the processor waits for all of them at once. */
+/* Find the place, unless `place` has it already, and fetch the texels from one level (or else the
+ * last one). `place` is all zero or comes from the last fetch at the same uv: textures of one size
+ * have the same places. Fetch from several textures first and mix later, so that the processor
+ * waits for all of them at once. */
 LANES_INLINE struct texels texture_fetch(const struct texture *texture, struct lanes2 uv,
                                          size_t level, struct texel_place *place) {
     const struct texture_level *l = texture_level_of(texture, level);
@@ -93,8 +103,8 @@ LANES_INLINE struct texels texture_fetch(const struct texture *texture, struct l
     return texels_fetch(l, place);
 }
 
-/* The channel of the four texels that the bits of `mask` are, mixed, times the lowest of the bits:
- * so no bits need be shifted. */
+/* Mix one channel of the four texels, the bits of `mask`. They are not shifted down, so the result
+ * is too large by the factor of the mask's lowest bit. */
 LANES_INLINE lanes texels_mix_channel(const struct texels *t, uint32_t mask) {
     lanes channel[4];
     for (int i = 0; i < 4; i++) {
@@ -103,15 +113,15 @@ LANES_INLINE lanes texels_mix_channel(const struct texels *t, uint32_t mask) {
     return (channel[0] + channel[1]) + (channel[2] + channel[3]);
 }
 
-/* Linear between the texels: red, green, blue as x, y, z in levels 0..255, not rounded. What the
- * caller does not use is not computed: for a grey texture, take z alone. */
+/* Mix the four texels: red, green, blue as x, y, z in levels 0..255, not rounded. The compiler
+ * leaves out channels that the caller does not use: for a grey texture, take z alone. */
 LANES_INLINE struct lanes3 texels_mix(const struct texels *t) {
     return (struct lanes3){texels_mix_channel(t, 0xFF0000) * (1 / 65536.0f),
                            texels_mix_channel(t, 0xFF00) * (1 / 256.0f),
                            texels_mix_channel(t, 0xFF)};
 }
 
-/* Both: the bilinear sample. */
+/* The bilinear sample, in one step. */
 LANES_INLINE struct lanes3 texture_lanes(const struct texture *texture, struct lanes2 uv,
                                          size_t level) {
     struct texel_place place = {0};
@@ -121,8 +131,9 @@ LANES_INLINE struct lanes3 texture_lanes(const struct texture *texture, struct l
 
 /* ---- Ahead of time: for shader->prepare ---- */
 
-/* The bilinear sample in two halves. First, texture coordinates u and v become how far the place
- * lies from the lower left texel to the right and up, 0 to 1; `index` says which texel that is. */
+/* The first half of a bilinear sample, for a shader's prepare function. The texture coordinates u
+ * and v become the distances of the place from its lower left texel to the right and up, 0 to 1;
+ * `index` becomes this texel's place in memory. */
 LANES_INLINE void texture_locate(const struct texture *texture, size_t level, lanes *u, lanes *v,
                                  lanes *index) {
     struct texel_place place = texture_find(texture_level_of(texture, level), *u, *v);
@@ -131,7 +142,8 @@ LANES_INLINE void texture_locate(const struct texture *texture, size_t level, la
     memcpy(index, &place.bytes, sizeof place.bytes);
 }
 
-/* Then, what texture_lanes() finds there, of the same texture and level. */
+/* The second half, for its fragment function, with the same texture and level: the sample itself.
+ * */
 LANES_INLINE struct lanes3 texture_located(const struct texture *texture, size_t level, lanes u,
                                            lanes v, const lanes *index) {
     struct texel_place place = {.across = u, .along = v};

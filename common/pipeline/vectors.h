@@ -1,16 +1,17 @@
 /*
- * Private to the pipeline: several numbers at once, further to those of lanes.h.
+ * Private to the pipeline: vectors, several numbers in one register of the processor.
  *
- *     lanes, lanes_int, lanes_texel    LANES pixels or faces (lanes.h); here: which bits of a mask
- *                                      are set, texels by their index, least and most
- *     doubles, longs, ints             TOGETHER pixels, positions or pieces, as many as 64-bit
- *                                      numbers fit into a register: what must be exact
- *     doubles_mask                     of TOGETHER doubles: for which a comparison holds
+ *     lanes, lanes_int, lanes_texel    of LANES pixels or faces; lanes.h has them and what shaders
+ *                                      need, here is what only the pipeline does with them
+ *     doubles, longs, ints             of TOGETHER pixels, positions or pieces, half as many as
+ *                                      LANES, since 64-bit numbers take twice the room: for what
+ *                                      must be exact
+ *     doubles_mask                     where a comparison of doubles holds
+ *     double4, long4, int4             of the three corners or edges of one triangle
  *
- * x86 has instructions for some of this that gcc 12 and clang 14 do not find by themselves. Here,
- * and for lanes_max() and lanes_min(), they tell the compiler which one is meant ("Intel 64 and
- * IA-32 Architectures Software Developer's Manual", volume 2); the plain C next to it says what it
- * does.
+ * Each function is plain C. Where x86 has an instruction for it that gcc 12 and clang 14 do not
+ * find by themselves, an intrinsic names the instruction, and the plain C next to it says what it
+ * does. ("Intel 64 and IA-32 Architectures Software Developer's Manual", volume 2.)
  */
 #ifndef COMMON_PIPELINE_VECTORS_H
 #define COMMON_PIPELINE_VECTORS_H
@@ -43,7 +44,7 @@ LANES_INLINE uint32_t lanes_bits(lanes_int mask) {
 #endif
 }
 
-/* The next lower whole number, of any number: what is beyond 2^22 may become any other one. */
+/* Round down to a whole number. A number beyond 2^22 may become any other one. */
 LANES_INLINE lanes lanes_floor_any(lanes a) {
 #if LANES_OF_TYPE(REAL) == 16 && defined(__AVX512F__)
     return (lanes)_mm512_floor_ps((__m512)a);
@@ -74,7 +75,7 @@ LANES_INLINE lanes_int lanes_int_load(const int32_t from[LANES]) {
     return values;
 }
 
-/* texels[index[i]] for each lane i. Neighbours mostly have the same one. */
+/* Lane i of the result is texels[index[i]]. Mostly all indices are the same, which is faster. */
 LANES_INLINE lanes_texel lanes_fetch(const uint32_t *texels, const uint32_t index[LANES]) {
     lanes_texel all;
     memcpy(&all, index, sizeof all);
@@ -89,13 +90,15 @@ LANES_INLINE lanes_texel lanes_fetch(const uint32_t *texels, const uint32_t inde
     return all;
 }
 
+/* Where lanes_fetch_pairs() keeps the pair of a lane. */
 LANES_INLINE int lanes_pair_place(int lane) {
     return LANES < 4 ? lane : lane % 4 / 2 * (LANES / 2) + lane / 4 * 2 + lane % 2;
 }
 
-/* The texel that lies so many bytes behind the first one, and the texel behind it, for each lane:
- * both are read at once. These pairs are at such places that of each four lanes two lie in one
- * half, and two in the other: then one instruction, vshufps, takes all of them apart. */
+/* For each lane, fetch the texel that is so many bytes behind the first one, and the texel behind
+ * it. Both are read at once, as a pair. Of each four lanes, the pairs of two are kept in the lower
+ * half of a register and those of two in the upper half, because then one instruction, vshufps,
+ * separates the first texels from the second ones. */
 LANES_INLINE void lanes_fetch_pairs(const uint32_t *texels, lanes_texel bytes, lanes_texel *first,
                                     lanes_texel *second) {
     uint32_t at[LANES], lower[LANES], upper[LANES];
@@ -113,14 +116,14 @@ LANES_INLINE void lanes_fetch_pairs(const uint32_t *texels, lanes_texel bytes, l
     memcpy(second, upper, sizeof *second);
 }
 
-/* ---- TOGETHER numbers, for what must be exact ---- */
+/* ---- TOGETHER numbers of 64 bits, for what must be exact ---- */
 
 #define TOGETHER ((LANES + 1) / 2)
 typedef int32_t ints __attribute__((vector_size(TOGETHER * sizeof(int32_t))));
 typedef int64_t longs __attribute__((vector_size(TOGETHER * sizeof(int64_t))));
 typedef double doubles __attribute__((vector_size(TOGETHER * sizeof(double))));
 
-/* A number for each corner or edge of a triangle, and a fourth that is of no use. */
+/* A number for each corner or edge of a triangle, and a fourth one that nobody looks at. */
 typedef int32_t int4 __attribute__((vector_size(4 * sizeof(int32_t))));
 typedef int64_t long4 __attribute__((vector_size(4 * sizeof(int64_t))));
 typedef double double4 __attribute__((vector_size(4 * sizeof(double))));
@@ -162,14 +165,14 @@ LANES_INLINE doubles doubles_abs(doubles value) {
 
 #if LANES == 16 && defined(__AVX512DQ__) && defined(__AVX512VL__)
 
-/* A register of masks has one bit for each; gcc 12 makes words of 64 bits of them. */
+/* A mask register has one bit for each number; gcc 12 would use vectors of 64-bit words instead. */
 typedef __mmask8 doubles_mask;
 
 LANES_INLINE doubles_mask mask_all(void) {
     return 255;
 }
 
-/* Where the mask is set, and a >= b, or a > b; false where one is not a number. */
+/* Where the mask is set and a >= b, or a > b; unset where one of them is NaN. */
 LANES_INLINE doubles_mask mask_not_below(doubles_mask m, doubles a, doubles b) {
     return _mm512_mask_cmp_pd_mask(m, (__m512d)a, (__m512d)b, _CMP_GE_OQ);
 }
@@ -178,7 +181,7 @@ LANES_INLINE doubles_mask mask_above(doubles_mask m, doubles a, doubles b) {
     return _mm512_mask_cmp_pd_mask(m, (__m512d)a, (__m512d)b, _CMP_GT_OQ);
 }
 
-/* VECTOR_SELECT() with the one instruction that there is for it. */
+/* VECTOR_SELECT() for masks of this type, by one instruction where there is one. */
 LANES_INLINE doubles doubles_select(doubles_mask m, doubles a, doubles b) {
     return (doubles)_mm512_mask_blend_pd(m, (__m512d)b, (__m512d)a);
 }
