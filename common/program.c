@@ -210,7 +210,7 @@ static void warn_of_file(const struct run *run, struct model *model) {
     }
 }
 
-/* The same of all models, and of textures. */
+/* Print the warnings about all models, and about textures that are replaced. */
 static void warn_of_files(struct run *run) {
     for (size_t i = 0; i < run->model_count; i++) {
         warn_of_file(run, &run->model[i]);

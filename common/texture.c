@@ -69,7 +69,7 @@ static uint32_t mean_texel(const struct texture_level *from, const struct cover 
     return mean;
 }
 
-/* The same for four texels that count alike. Two channels at a time, in 16 bits each: four levels
+/* The mean of four texels, rounded. Two channels are added at a time, in 16 bits each: four levels
  * and 2 for rounding stay below 2^10. */
 static uint32_t mean_of_four(uint32_t a, uint32_t b, uint32_t c, uint32_t d) {
     const uint32_t two_channels = 0x00FF00FF;

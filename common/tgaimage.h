@@ -47,7 +47,7 @@ static inline struct color color_grey(uint8_t level) {
 bool image_create(struct image *image, size_t width, size_t height, enum image_format format,
                   struct error *error);
 
-/* The same without clearing it, for a caller that sets every pixel. */
+/* Allocate an image and leave its pixels as they are, for a caller that sets every one. */
 bool image_create_unset(struct image *image, size_t width, size_t height, enum image_format format,
                         struct error *error);
 

@@ -19,7 +19,7 @@ static inline lanes in_one_lane(int lane, double value, double others) {
     return all;
 }
 
-/* The same vector, with others in the other lanes. */
+/* The vector in one lane, and other vectors in the other lanes. */
 static inline struct lanes3 vector_in_one_lane(int lane, struct vec3 v) {
     return (struct lanes3){in_one_lane(lane, v.x, 0.25), in_one_lane(lane, v.y, 0.5),
                            in_one_lane(lane, v.z, 0.75)};

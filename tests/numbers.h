@@ -224,7 +224,7 @@ static inline struct shown show_pixels(struct image *image) {
 
 /* TASK's call must give this whole number. */
 #define WHOLE(task, call, right) AS_WHOLE(task, #call, call, right)
-/* The same, and what the call is written as. */
+/* TASK's call, which the report shows as `text`, must give this whole number. */
 #define AS_WHOLE(task, text, call, right)                                                          \
     do {                                                                                           \
         if (number_begin(task, text, show("%lld", (long long)(right)))) {                          \
@@ -260,8 +260,9 @@ static inline struct shown show_pixels(struct image *image) {
         }                                                                                          \
     } while (0)
 
-/* The same, of a function that calls those of other tasks: `own` is what it must give with yours
- * of them, which is right, too, unless it says nothing. A mistake in one costs its own task. */
+/* This text, of a function that calls those of other tasks. `own` is what it must give with your
+ * versions of them, and is right, too, unless it says nothing: a mistake costs its own task
+ * only. */
 #define TEXT_WITH(task, name, call, right, own)                                                    \
     do {                                                                                           \
         if (number_begin(task, name, show("%s", right))) {                                         \

@@ -30,7 +30,7 @@ void text_make_printable(char *text, char instead);
  * so that a failing function can end with `return error_set(error, ...)`. */
 bool error_set(struct error *error, const char *format, ...) PRINTF_LIKE(2, 3);
 
-/* The same of a text that was read, with the line that it is about. */
+/* Write a message about line `line` of a text that was read. Always returns false. */
 bool text_error(struct error *error, size_t line, const char *format, ...) PRINTF_LIKE(3, 4);
 
 /* The message of every allocation that failed. Always returns false. */

@@ -44,7 +44,8 @@ bool text_from_utf16(struct bytes *utf8, const void *data, size_t size);
 bool text_begin(struct text *text, const void *data, size_t size, bool continuation,
                 struct error *error);
 
-/* The same without a search for NUL bytes: of a large file, only the first words may be needed. */
+/* Start before the first line without a search for NUL bytes, where only the first words of a large
+ * file may be needed. */
 void text_peek(struct text *text, const void *data, size_t size);
 
 /* Go to the next line, over what is left of this one; false at the end of the text. */

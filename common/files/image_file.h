@@ -19,7 +19,7 @@
  * empty on an error. */
 bool image_read(struct image *image, const char *path, struct error *error);
 
-/* The same from memory; the message names no file. */
+/* Read a PNG or a TGA from memory, as image_read() does from a file; the message names no file. */
 bool image_decode(struct image *image, const void *data, size_t size, struct error *error);
 
 /* ---- Writing ---- */

@@ -34,8 +34,8 @@ enum model_part {
     MODEL_ALL_PARTS = MODEL_UVS | MODEL_NORMALS /* of faces */
 };
 
-/* The same, but only the wanted parts, joined with |. Unwanted texture coordinates and normals of
- * an OBJ file are counted but not read, and no corner has them. */
+/* Read a file, but only the wanted parts of it, joined with |. Unwanted texture coordinates and
+ * normals of an OBJ file are counted but not read, and no corner has them. */
 bool model_read_parts(struct model *model, const char *path, unsigned parts, struct error *error);
 
 /* What the warning says. */

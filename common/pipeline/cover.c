@@ -342,8 +342,8 @@ static void keep_before(const struct call_band *band, struct span rows) {
     }
 }
 
-/* Cover and shade the pieces of a call one by one: each is shaded before the next one is covered.
- * */
+/* Cover and shade the pieces of a call one by one: each is shaded before the next one is
+ * covered. */
 static void draw_pieces(struct call_band *band) {
     const struct span numbers = band->numbers;
     const struct cover_how how = {false, band->frame->pipeline->counts_tests};

@@ -339,8 +339,8 @@ void pipeline_next_round(struct frame *frame);
  * whole: adds their blocks. */
 bool pipeline_assemble_round(struct frame *frame, struct error *error);
 
-/* Cover the round's pieces in band `index` of a frame whose chunks are kept: see worker_function.
- * */
+/* Cover the round's pieces in band `index` of a frame whose chunks are kept: see
+ * worker_function. */
 void pipeline_cover_band(void *frame, size_t index, size_t worker);
 
 /* Draw band `index` of a frame: cover what is left to cover, then shade what is visible. */

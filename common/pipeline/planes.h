@@ -54,8 +54,8 @@ struct corners_together {
     double varyings[3][VARYING_LIMIT][TOGETHER];
 };
 
-/* A plane on the screen for each piece: its value at some pixel, and its steps to the right and up.
- * */
+/* A plane on the screen for each piece: its value at some pixel, and its steps to the right and
+ * up. */
 struct planes_together {
     doubles origin, dx, dy;
 };

@@ -142,8 +142,8 @@ LANES_INLINE void texture_locate(const struct texture *texture, size_t level, la
     memcpy(index, &place.bytes, sizeof place.bytes);
 }
 
-/* The second half, for its fragment function, with the same texture and level: the sample itself.
- * */
+/* The second half, for its fragment function, with the same texture and level: the sample
+ * itself. */
 LANES_INLINE struct lanes3 texture_located(const struct texture *texture, size_t level, lanes u,
                                            lanes v, const lanes *index) {
     struct texel_place place = {.across = u, .along = v};

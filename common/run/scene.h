@@ -108,7 +108,7 @@ bool drawing_take_part(struct drawing *drawing, size_t i);
  * such number. */
 double drawing_value(const struct drawing *drawing, const char *name);
 
-/* The same of NAME_x and NAME_y. */
+/* The point whose coordinates are the scene's numbers NAME_x and NAME_y. */
 struct vec2 drawing_point(const struct drawing *drawing, const char *name);
 
 /* Where a field is zero, the program's default holds. */

@@ -45,7 +45,7 @@ struct text_scene {
 bool text_scene_read(struct text_scene *scene, const char *path, enum text_scene_kind kind,
                      struct error *error);
 
-/* The same from memory; the message begins with the line's number. */
+/* Read a scene from memory; the message begins with the line's number. */
 bool text_scene_decode(struct text_scene *scene, const void *data, size_t size,
                        enum text_scene_kind kind, struct error *error);
 

@@ -539,7 +539,8 @@ static const char *find_to_do(const struct judging *judging, const struct credit
     return found;
 }
 
-/* The same; what was not judged because of its picture is to do when that is. */
+/* A task of the item that is still to do; if its picture kept it from being judged, a task of
+ * that. */
 static const char *find_item_to_do(const struct judging *judging, const struct item_result *item) {
     const char *task = find_to_do(judging, item->credit);
     return task == NULL && item->unjudged
@@ -658,7 +659,7 @@ static void tell_counted(const struct judging *judging, struct item_result *item
     }
 }
 
-/* The same of all of them: what is counted wrongly is counted once more, with all else. */
+/* Count all wrong items once more, with all else, and tell of each. */
 static bool count_and_tell(const struct judging *judging, struct error *error) {
     bool done = true;
     for (size_t i = 0; i < judging->result->item_count && done; i++) {

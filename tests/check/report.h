@@ -40,8 +40,8 @@ void report_step(const struct step_result *step);
  * message, when something did not reach standard output. */
 bool report_end(const struct check_result *result, struct error *error);
 
-/* The same for a person at a terminal: what is right in one line, the first that is to do, how much
- * is to come; at the end, what to do next. */
+/* For a person at a terminal, print what is right in one line, the first task that is to do, and
+ * how much is to come; at the end, what to do next. */
 void report_step_to_person(const struct step_result *step);
 bool report_end_to_person(const struct check_result *result, struct error *error);
 

@@ -135,7 +135,7 @@ struct check_result {
 /* The word for it: "PASS", "TODO", ... */
 const char *result_state_name(enum result_state state);
 
-/* The same for a reader: "NOT JUDGED" where an item fails only because its picture does. */
+/* An item's word for a reader: "NOT JUDGED" where it fails only because its picture does. */
 const char *result_item_state(const struct item_result *item);
 
 /* A result for that many steps; false when memory runs out. */

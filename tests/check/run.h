@@ -87,7 +87,7 @@ struct run_text {
 };
 struct run_text run_stopped_by(const struct run_result *result, const struct run_limits *limits);
 
-/* The same, or the signal's name, or "exit status 1"; "" where it ended well. */
+/* How it ended: by a limit, a signal's name, or "exit status 1"; "" where it ended well. */
 struct run_text run_ended_by(const struct run_result *result, const struct run_limits *limits);
 
 /* The name of a signal, and what a program has done to get it: "SIGFPE, a whole number divided by

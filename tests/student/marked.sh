@@ -31,7 +31,8 @@ find_marked() {
     fi
 }
 
-# The same where main.c is what is judged: a solution made of it would be held against itself.
+# Find the marked source elsewhere, where main.c is what is judged: a solution made of main.c would be
+# held against itself.
 find_marked_elsewhere() {
     if find_marked_in_git; then
         return

@@ -34,7 +34,7 @@ live: $(BUILD)/live $(SHOWN:$(BUILD)/quick/%=$(BUILD)/moving/%)
 	$(END_LINE)
 	@sh tests/student/live.sh '$(BUILD)' '$(MAKE) -s $(KNOWN)' '$(STEP)' '$(MODEL)'
 
-# The same program with what the page lets be changed, and what it says of a pixel.
+# The lesson's program with what the page lets be changed, and what it says of a pixel.
 $(STEPS:%=$(BUILD)/moving/%): $(BUILD)/moving/%: %/main.c $(BUILD)/%.text $(BUILD)/quick/libcommon.a \
                                                  $(BUILD)/flags
 	@mkdir -p $(@D)

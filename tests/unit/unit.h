@@ -37,7 +37,7 @@ static inline bool unit_check(bool holds, const char *file, int line, const char
 /* True when `condition` holds, so that `if (!CHECK(p != NULL)) return;` guards what follows. */
 #define CHECK(condition) unit_check((condition), __FILE__, __LINE__, #condition)
 
-/* The same with a note of which row of a table is being tested. */
+/* CHECK() that names the row of a table which is being tested. */
 #define CHECK_ROW(condition, row)                                                                  \
     (unit_check((condition), __FILE__, __LINE__, #condition)                                       \
          ? true                                                                                    \

@@ -67,7 +67,7 @@ alike() {
     said=
 }
 
-# The same place for both, so that what they say is the same.
+# Both run in one place, so that they say the same.
 mkdir "$work/course" && cp -R Makefile README.md LICENSE .gitattributes .gitignore common step* "$work/course" &&
     mkdir "$work/course/tests" && cp -R tests/[!l]* "$work/course/tests" &&
     cp -R tests/lessons tests/*.h "$work/course/tests" && cd "$work/course" || exit 1

@@ -22,7 +22,7 @@ bool escape_text(struct bytes *out, escape_function *escape, const char *text);
 bool escape_print(struct bytes *out, escape_function *escape, const char *format,
                   va_list arguments);
 
-/* The same with escape_markup(). */
+/* escape_print() with escape_markup(). */
 bool markup_print(struct bytes *out, const char *format, ...) PRINTF_LIKE(2, 3);
 
 #endif

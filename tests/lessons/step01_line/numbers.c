@@ -47,8 +47,8 @@ static struct shown called_listed(struct pixel a, struct pixel b, size_t count) 
     return called_show_list(list, count);
 }
 
-/* The same list, made of the pixels that line() sets, right or wrong, in the middle of an image:
- * what lies outside is seen, too. */
+/* A list of the pixels that line() sets, right or wrong. It draws in the middle of an image, so
+ * that pixels beyond the ends are seen, too. */
 static struct shown called_as_drawn(struct pixel a, struct pixel b, size_t count) {
     enum { SIDE = 48, MIDDLE = 16 };
     struct image image = black_image(SIDE, SIDE);

@@ -97,7 +97,7 @@ static void called_draw_six(int red, double depth) {
     triangle(&called_canvas, v, rgb(red, 0, 0));
 }
 
-/* The same in color 1 and again in 2: how many pixels show either. */
+/* Draw it in colour 1, then again in 2. How many pixels show each? */
 static struct shown called_six_twice(void) {
     int count[256] = {0};
     called_begin(CALLED_SIDE, CALLED_SIDE, -INFINITY);

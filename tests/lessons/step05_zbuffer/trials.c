@@ -57,9 +57,9 @@ static void try_to_show(const struct image *image, size_t begin, size_t end, dou
     show_depths(&rows, depth + start);
 }
 
-/* The same depths: in the lower half all of them are negative, and the first pixel is the nearest
- * one, the last one the farthest; in the upper half they are very large, and it is the other way
- * round. On top are rows in which they are almost equal. */
+/* The depth picture with other depths: in the lower half all of them are negative, and the first
+ * pixel is the nearest one, the last one the farthest; in the upper half they are very large, and
+ * it is the other way round. On top are rows in which they are almost equal. */
 static bool try_deep(struct drawing *drawing, struct image *image, struct error *error) {
     bool done = draw_zbuffer(drawing, image, error);
     size_t middle = image->height / 2, even = image->height - image->height / 100;

@@ -79,7 +79,7 @@ static struct shown called_drawn(const struct texture *texture, double intensity
     return show("%d", image_get(&called_sheet, 2, 2).r);
 }
 
-/* The same red by your sample_nearest() of that place. */
+/* The red of this pixel as your sample_nearest() gives it, right or wrong. */
 static struct shown called_own(const struct texture *texture, double intensity) {
     return show("%d", level_from(sample_nearest(texture, called_place).r * intensity));
 }
@@ -167,7 +167,7 @@ static struct color called_color(const struct quotients *plane, const struct tex
     return color_at(&called_canvas, plane, 0, 0, texture);
 }
 
-/* The same by your functions that it calls. */
+/* What color_at() should make of your own plane_uv(), mip_level() and sample_trilinear(). */
 static struct color called_own_color(const struct quotients *plane, const struct texture *texture) {
     double w;
     struct vec2 uv = plane_uv(plane, 0, 0, &w);
@@ -187,7 +187,7 @@ static struct shown called_trilinear(const struct texture *texture, double level
     return show("%.4g", sample_trilinear(texture, xy(0.5, 0.5), level).x);
 }
 
-/* The same of what your sample_bilinear() finds on two levels. */
+/* The mixture of what your sample_bilinear() finds on two levels. */
 static struct shown called_own_trilinear(const struct texture *texture, size_t finer,
                                          size_t coarser, double part) {
     const double a = sample_bilinear(texture, xy(0.5, 0.5), finer).x;

@@ -85,7 +85,7 @@ static struct {
 
 enum number { IN_FLOAT, IN_DOUBLE };
 
-/* The same operations for both types: those of mat4_point() and place(). */
+/* What mat4_point() and place() compute, in either type. */
 #define TRANSFORM(name, real, point, matrix)                                                       \
     static inline real name##_row(const real m[4], real x, real y, real z) {                       \
         return m[0] * x + m[1] * y + m[2] * z + m[3];                                              \

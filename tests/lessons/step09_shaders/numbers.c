@@ -325,7 +325,7 @@ static struct vec3 called_map_normal(int r, int g, int b) {
     return vec3_normalized(xyz(r - 127.5, g - 127.5, b - 127.5));
 }
 
-/* The same by your lambert(). */
+/* The grey that your lambert() makes of this normal. */
 static struct shown called_grey_in_light(int r, int g, int b) {
     double value = 100 * lambert(called_map_normal(r, g, b), xyz(2.0 / 7, 3.0 / 7, 6.0 / 7));
     return show("%.0f,%.0f,%.0f", value, value, value);

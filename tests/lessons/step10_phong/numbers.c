@@ -36,7 +36,7 @@ static struct shown called_specular_in(int lane, const double *v) {
     return show_lane(called_phong_lanes(lane, v).y, lane);
 }
 
-/* The same by your other functions, where your diffuse light says that there is some. */
+/* What your reflect() and integer_power() make of it, where your diffuse light is above 0. */
 static struct shown called_specular_of(const double *v) {
     if (!(called_phong_lanes(0, v).x[0] > 0)) {
         return show("0");
@@ -192,7 +192,7 @@ static bool called_make_textures(uint8_t value) {
            called_make_texture(&map, &one[1], 1) && called_make_texture(&specular, &one[2], 1);
 }
 
-/* The same for the value 102, each at a level of its own. */
+/* Textures whose texels differ from level to level; each has its own level with the right one. */
 static bool called_make_textures_of_levels(void) {
     const struct color black = {0}, colors[] = {black, rgb(200, 100, 50), rgb(0, 0, 255), black};
     const struct color out_of_z[] = {rgb(255, 128, 128), rgb(128, 255, 128), rgb(128, 128, 255),

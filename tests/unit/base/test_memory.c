@@ -408,7 +408,7 @@ static bool draw_both_ways(struct error *error) {
     return draw_cube(true, error) && draw_cube(false, error);
 }
 
-/* The same picture again takes no more memory. */
+/* Drawing a picture a second time allocates nothing. */
 static void check_other_frames(void) {
     struct target target;
     struct error error;

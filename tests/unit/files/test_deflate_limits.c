@@ -34,7 +34,7 @@ static void put_code(struct bits *bits, unsigned code, unsigned count) {
     }
 }
 
-/* The same from a string such as "1 0110 ", where blanks only please the eye. */
+/* Append the bits of a string such as "1 0110 ", where blanks only please the eye. */
 static void put_string(struct bits *bits, const char *digits) {
     for (; *digits != '\0'; digits++) {
         if (*digits != ' ') {

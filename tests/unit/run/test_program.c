@@ -111,7 +111,7 @@ static const struct scene model_scenes[] = {
 static const struct program model_program = {PROBE(model_scenes)};
 static const struct program several_program = {PROBE(model_scenes), .takes_models = true};
 
-/* The same program with other scenes. */
+/* A copy of the program, with other scenes. */
 static struct program with_scenes(const struct program *program, const struct scene *other,
                                   size_t count) {
     struct program changed = *program;

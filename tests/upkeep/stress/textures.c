@@ -124,7 +124,7 @@ struct sample exact_bilinear(const struct texture *texture, size_t number, doubl
     return sum;
 }
 
-/* The same of the levels below and above, each counted by how near it is. */
+/* The exact trilinear sample: of the levels below and above, each counted by how near it is. */
 static struct sample exact_trilinear(const struct texture *texture, double u, double v,
                                      double mip_level) {
     struct sample sum = {{0, 0, 0, 0}};
