@@ -237,7 +237,7 @@ static inline void attempt_7_edges_float(struct image *image, const struct vec2 
 
 /* ---- The table ---- */
 
-static inline fill_function *fill_attempt(int number) {
+static inline fill_function *attempt_fill(int number) {
     static fill_function *const attempts[] = {
         attempt_1_sweep_whole, attempt_2_sweep_float, attempt_3_box_float,   attempt_4_box_double,
         attempt_5_box_open,    attempt_6_box_epsilon, attempt_7_edges_float,

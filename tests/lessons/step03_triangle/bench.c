@@ -121,7 +121,8 @@ static void mesh_add(struct mesh *mesh, const struct fixed2 corner[3]) {
     struct filled *t = &mesh->triangles[mesh->count++];
     for (int i = 0; i < 3; i++) {
         t->snapped[i] = corner[i];
-        t->corner[i] = in_pixels(corner[i]);
+        t->corner[i] =
+            (struct vec2){(double)corner[i].x / SUBPIXELS, (double)corner[i].y / SUBPIXELS};
     }
 }
 
@@ -133,9 +134,10 @@ static bool make_bust(struct mesh *mesh, const struct image *image, struct error
     }
     mesh->triangles = bench_memory(model.face_count, sizeof *mesh->triangles);
     for (size_t face = 0; face < model.face_count; face++) {
+        struct vec2 screen[3];
         struct fixed2 corner[3];
-        uint64_t turned_away = 0;
-        if (place_face(&model, face, image, corner, &turned_away)) {
+        face_on_screen(&model, face, image, screen);
+        if (snap_corners(screen, corner) && !is_turned_away(screen)) {
             mesh_add(mesh, corner);
         }
     }
@@ -243,7 +245,7 @@ static void fill(const struct filled *t, int way, struct image *image, struct co
     } else if (way == BLOCKS) {
         attempt_8_blocks(image, t->corner, color);
     } else {
-        fill_attempt(way)(image, t->corner, color);
+        attempt_fill(way)(image, t->corner, color);
     }
 }
 

@@ -21,13 +21,18 @@ static void draw_spans(struct image *image, const struct vec2 corner[3], struct 
 static void draw_bust_by(fill_function *draw, const struct model *model, struct image *image) {
     image_clear(image, color_grey(0));
     for (size_t face = 0, drawn = 0; face < model->face_count; face++) {
+        struct vec2 screen[3];
         struct fixed2 corner[3];
-        uint64_t turned_away = 0;
-        if (place_face(model, face, image, corner, &turned_away)) {
-            const struct vec2 screen[3] = {in_pixels(corner[0]), in_pixels(corner[1]),
-                                           in_pixels(corner[2])};
-            draw(image, screen, face_color(drawn));
-            drawn++;
+        face_on_screen(model, face, image, screen);
+        if (snap_corners(screen, corner)) {
+            for (int i = 0; i < 3; i++) {
+                screen[i] =
+                    (struct vec2){(double)corner[i].x / SUBPIXELS, (double)corner[i].y / SUBPIXELS};
+            }
+            if (!is_turned_away(screen)) {
+                draw(image, screen, face_color(drawn));
+                drawn++;
+            }
         }
     }
 }
@@ -58,6 +63,10 @@ static void draw_half_planes(void) {
 
 /* The eye of the bust, enlarged. */
 static const struct detail eye = {308, 512, 80, 60, .zoom = 6};
+
+static bool same_color(struct color a, struct color b) {
+    return a.r == b.r && a.g == b.g && a.b == b.b;
+}
 
 /* The pixels of the second image in grey, and in orange where the first one differs. */
 static void show_wrong(struct image *wrong, const struct image *right) {

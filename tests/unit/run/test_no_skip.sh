@@ -1,7 +1,7 @@
 #!/bin/sh
 # --no-skip does all the work, and every scene of every lesson is the same in each byte: that of the
-# shortcuts is the one that is compared with the references. (In lessons 2 to 8 it is trials.c that
-# does it. Which counters may differ, and how: test_skip.c.)
+# shortcuts is the one that is compared with the references. (In lessons 2 and 4 to 8 it is
+# trials.c that does it. Which counters may differ, and how: test_skip.c.)
 . "$(dirname "$0")/../../unit/script.sh"
 
 for lesson in step[0-9]*_*; do
