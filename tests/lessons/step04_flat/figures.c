@@ -76,7 +76,7 @@ static void draw_faults(const struct model *model) {
     const struct detail ear = {490, 420, 110, 160, .zoom = 4};
     const struct detail head = {190, 200, 420, 600, .zoom = 1};
     struct image image = figure_image(800, 800), marked = figure_image(800, 800);
-    struct drawing drawing = {.model = model, .light = {0, 0, -1}, .skip = true};
+    struct drawing drawing = {.model = model, .light = {0, 0, -1}};
     figure_need(draw_flat(&drawing, &image, &figure_error));
     figure_save_detail(&image, ear, "detail_ear");
     draw_marked(model, &marked);
