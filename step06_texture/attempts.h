@@ -101,7 +101,7 @@ static inline void attempt_5_affine(struct image *image, const struct vertex v[3
 /* The lesson's own: with mip levels. */
 static inline void attempt_6_levels(struct image *image, const struct vertex v[3],
                                     const struct texture *texture) {
-    struct canvas canvas = {.image = image, .sampler = SAMPLE_TRILINEAR, .skip = true};
+    struct canvas canvas = {.image = image, .sampler = SAMPLE_TRILINEAR};
     perspective_triangle(&canvas, v, texture);
 }
 
@@ -121,32 +121,29 @@ static inline void attempt_square(struct vertex corners[4], int side) {
     corners[3] = (struct vertex){.position = {0, end}, .uv = {0, 1}, .recip_w = 1};
 }
 
-/* ---- The exact answer ---- */
+/* ---- The levels as colours ---- */
 
-/* The mean colour (red, green, blue) of a pixel of scene checker, from `rays` * `rays` rays to the
- * plane itself and without any triangle or texture. False where some ray misses the plane. */
-static inline bool exact_checker(size_t x, size_t y, size_t width, size_t height, int rays,
-                                 struct vec3 *mean) {
-    const struct vec3 light = {245, 235, 215}, dark = {150, 45, 30};
-    int light_count = 0;
-    for (int i = 0; i < rays * rays; i++) {
-        double screen_x = (double)x + (i % rays + 0.5) / rays;
-        double screen_y = (double)y + (i / rays + 0.5) / rays;
-        /* The ray to (a, b, -1) * distance, in the frame of the plane. */
-        double a = (screen_x / (double)width - 0.5) * 2;
-        double b = (screen_y / (double)height - 0.75) * 2;
-        double down = PLANE_SINE * a - PLANE_COSINE * b;
-        double distance = PLANE_BELOW / down;
-        double side = (PLANE_COSINE * a + PLANE_SINE * b) * distance;
-        if (down <= 0 || distance < PLANE_NEAR || distance > PLANE_FAR || fabs(side) > PLANE_SIDE) {
-            return false;
-        }
-        double tile = floor(2 * side + 0.5) + floor(2 * distance + 0.5);
-        light_count += floor(tile / 2) * 2 == tile;
+/* A texel, made lighter and then multiplied by a colour, so that its own colour stays visible. */
+static inline uint32_t attempt_tinted(uint32_t texel, uint32_t color) {
+    uint32_t result = 0xFF000000;
+    for (int shift = 0; shift < 24; shift += 8) {
+        uint32_t part = texel >> shift & 255, of = color >> shift & 255;
+        result |= ((part + 255) / 2 * of / 255) << shift;
     }
-    double share = (double)light_count / (rays * rays);
-    *mean = vec3_add(vec3_scale(light, share), vec3_scale(dark, 1 - share));
-    return true;
+    return result;
+}
+
+/* Give each of up to 9 levels its own colour: white, yellow, light blue, green, orange... */
+static inline void attempt_color_levels(struct texture *texture) {
+    static const uint32_t colors[] = {0xFFFFFF, 0xF0E442, 0x56B4E9, 0x009E73, 0xE69F00,
+                                      0xD55E00, 0xCC79A7, 0x0072B2, 0x404040};
+    const size_t color_count = sizeof colors / sizeof colors[0];
+    for (size_t i = 0; i < texture->level_count && i < color_count; i++) {
+        const struct texture_level *level = &texture->level[i];
+        for (size_t k = 0; k < level->pitch * level->height; k++) {
+            level->texels[k] = attempt_tinted(level->texels[k], colors[i]);
+        }
+    }
 }
 
 #endif

@@ -63,15 +63,11 @@ struct vertex {
 /* How a pixel in perspective finds its colour. */
 enum sampler { SAMPLE_NEAREST, SAMPLE_BILINEAR, SAMPLE_TRILINEAR };
 
-/* The image with its depth buffer, how to draw on it, and counts of what was done. */
+/* The image with its depth buffer, and how to draw on it. */
 struct canvas {
     struct image *image;
-    double *depth;          /* of each pixel, row by row from the bottom; none in perspective */
-    enum sampler sampler;   /* in perspective; the first two read level 0 */
-    bool skip;              /* fetch a texel only where it is seen */
-    uint64_t pixels_tested; /* covered by a triangle */
-    uint64_t pixels_written;
-    uint64_t texels_fetched;
+    double *depth;        /* of each pixel, row by row from the bottom; none in perspective */
+    enum sampler sampler; /* in perspective; the first two read level 0 */
 };
 
 /* A texture's colour times an intensity 0..1. */
@@ -82,8 +78,8 @@ static struct color shade(struct color texel, double intensity) {
 
 /* The triangle of lesson 5 with u and v interpolated like the depth. Without perspective everything
  * is linear on the screen. */
-static void triangle(struct canvas *canvas, const struct vertex v[3], const struct texture *texture,
-                     double intensity) {
+static void triangle(const struct canvas *canvas, const struct vertex v[3],
+                     const struct texture *texture, double intensity) {
     struct image *image = canvas->image;
     struct edges edges;
     if (!edges_setup(&edges, v[0].position, v[1].position, v[2].position, image->width,
@@ -97,18 +93,10 @@ static void triangle(struct canvas *canvas, const struct vertex v[3], const stru
         for (int x = span.begin; x < span.end; x++) {
             struct vec3 weight = edges_weights(&edges, x, y);
             double depth = interpolate_depth(weight, v[0].depth, v[1].depth, v[2].depth);
-            bool seen = depth > row[x];
-            canvas->pixels_tested++;
-            if (!seen && canvas->skip) {
-                continue; /* what is hidden needs no colour */
-            }
-            struct vec2 uv = vec2_interpolate(weight, v[0].uv, v[1].uv, v[2].uv);
-            struct color color = shade(sample_nearest(texture, uv), intensity);
-            canvas->texels_fetched++;
-            if (seen) {
+            if (depth > row[x]) {
                 row[x] = depth;
-                image_set(image, x, y, color);
-                canvas->pixels_written++;
+                struct vec2 uv = vec2_interpolate(weight, v[0].uv, v[1].uv, v[2].uv);
+                image_set(image, x, y, shade(sample_nearest(texture, uv), intensity));
             }
         }
         /* STARTER
@@ -279,25 +267,22 @@ static double mip_level(struct vec2 right, struct vec2 up, const struct texture 
 /* ---- The colour of a pixel in perspective ---- */
 
 /* The colour by the canvas's sampler. Sampler 3 needs the mip level of this pixel. */
-static struct color color_at(struct canvas *canvas, const struct quotients *plane, int x, int y,
-                             const struct texture *texture) {
+static struct color color_at(const struct canvas *canvas, const struct quotients *plane, int x,
+                             int y, const struct texture *texture) {
     double w;
     struct vec2 uv = plane_uv(plane, x, y, &w);
     if (canvas->sampler == SAMPLE_NEAREST) {
-        canvas->texels_fetched++;
         return sample_nearest(texture, uv);
     }
     if (canvas->sampler == SAMPLE_BILINEAR) {
         struct vec4 four = sample_bilinear(texture, uv, 0);
-        canvas->texels_fetched += 4;
         return color_rgb(level_from(four.x), level_from(four.y), level_from(four.z));
     }
     /* BEGIN SOLUTION 6e.3 the level of the pixel */
     double level = mip_level(uv_step(plane->right, uv, w), uv_step(plane->up, uv, w), texture);
-    bool one_level = canvas->skip && level == 0; /* the second would count for nothing */
+    /* At level 0 a second level would count for nothing. */
     struct vec4 c =
-        one_level ? sample_bilinear(texture, uv, 0) : sample_trilinear(texture, uv, level);
-    canvas->texels_fetched += one_level ? 4 : 8;
+        level > 0 ? sample_trilinear(texture, uv, level) : sample_bilinear(texture, uv, 0);
     return color_rgb(level_from(c.x), level_from(c.y), level_from(c.z));
     /* STARTER
     (void)mip_level, (void)uv_step;
@@ -307,7 +292,7 @@ static struct color color_at(struct canvas *canvas, const struct quotients *plan
 }
 
 /* A triangle in perspective, without depth test and light. */
-static void perspective_triangle(struct canvas *canvas, const struct vertex v[3],
+static void perspective_triangle(const struct canvas *canvas, const struct vertex v[3],
                                  const struct texture *texture) {
     struct quotients plane;
     if (!plane_begin(&plane, canvas->image, v)) {
@@ -317,7 +302,6 @@ static void perspective_triangle(struct canvas *canvas, const struct vertex v[3]
         struct span span = edges_span(&plane.edges, y);
         for (int x = span.begin; x < span.end; x++) {
             image_set(canvas->image, x, y, color_at(canvas, &plane, x, y, texture));
-            canvas->pixels_written++;
         }
     }
 }

@@ -9,10 +9,9 @@
 
 /* ---- Triangles ---- */
 
-/* There is nothing to skip: what is hidden has no colour to compute. */
-static struct layer_work draw_layers(const void *tried, const struct depth_image *on) {
-    const struct layers *layers = tried;
-    struct canvas canvas = {.image = on->image, .depth = on->depth};
+/* Returns what it did. */
+static struct canvas draw_on(const struct layers *layers, struct image *image, double *depth) {
+    struct canvas canvas = {.image = image, .depth = depth};
     for (int i = 0; i < LAYER_COUNT; i++) {
         struct vertex v[3];
         for (int k = 0; k < 3; k++) {
@@ -20,8 +19,11 @@ static struct layer_work draw_layers(const void *tried, const struct depth_image
         }
         triangle(&canvas, v, color_grey((uint8_t)(i + 1)));
     }
-    return (struct layer_work){canvas.pixels_tested,
-                               on->skip ? canvas.pixels_written : canvas.pixels_tested};
+    return canvas;
+}
+
+static void draw_layers(const void *tried, struct image *image, double *depth) {
+    draw_on(tried, image, depth);
 }
 
 static bool is_level(const void *tried, int layer, int picture, int x, int y, struct color color) {
@@ -29,9 +31,21 @@ static bool is_level(const void *tried, int layer, int picture, int x, int y, st
     return color.r == layer + 1 && color.g == color.r && color.b == color.r;
 }
 
+/* Each covered pixel is tested once for each triangle, and drawn again none is written. */
+static bool counts_are_right(const struct layers *layers) {
+    uint8_t pixels[3 * SCREEN_WIDTH * SCREEN_HEIGHT] = {0};
+    double depth[SCREEN_WIDTH * SCREEN_HEIGHT];
+    struct image image = {SCREEN_WIDTH, SCREEN_HEIGHT, IMAGE_BGR, pixels};
+    depth_clear(depth, SCREEN_WIDTH * SCREEN_HEIGHT);
+    const struct canvas first = draw_on(layers, &image, depth);
+    const struct canvas again = draw_on(layers, &image, depth);
+    return first.pixels_tested == layers_cover(layers) &&
+           again.pixels_tested == first.pixels_tested && again.pixels_written == 0;
+}
+
 static bool nearest_triangle_shows(const void *tried) {
     const struct layered layered = {tried, tried, 1, draw_layers, is_level};
-    return layers_are_right(&layered);
+    return layers_are_right(&layered) && counts_are_right(tried);
 }
 
 /* ---- Depths as levels ---- */

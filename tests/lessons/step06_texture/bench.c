@@ -25,6 +25,7 @@ INLINED void attempt_perspective(struct image *image, const struct vertex *v,
 #define LESSON "../step06_texture/main.c"
 #include "lesson.h"
 
+#include "../../../step06_texture/attempts.h"
 #include "oracle/oracle.h"
 
 enum { HILL_SIDE = 512, HILL_TEXELS = 16, HILL_SAMPLES = 16 }; /* 16 * 16 samples a pixel */
@@ -199,6 +200,8 @@ static struct color hill_texel(int x, int y) {
     return color_rgb(level_from(c.x), level_from(c.y), level_from(c.z));
 }
 
+static const struct pattern hill_pattern = {HILL_TEXELS, HILL_TEXELS, hill_texel, true};
+
 /* ---- Setting up ---- */
 
 static bool target_create(struct target *target, size_t side, struct error *error) {
@@ -207,11 +210,9 @@ static bool target_create(struct target *target, size_t side, struct error *erro
 }
 
 static bool make_hill(struct target *hill, struct error *error) {
-    if (!target_create(hill, HILL_SIDE, error) ||
-        !paint_picture(&hill->texture, HILL_TEXELS, HILL_TEXELS, hill_texel, error)) {
+    if (!target_create(hill, HILL_SIDE, error) || !paint(&hill->texture, &hill_pattern, error)) {
         return false;
     }
-    texture_set_clamp(&hill->texture, true);
     attempt_square(hill->corners, HILL_SIDE);
     for (size_t i = 0; i < (size_t)HILL_SIDE * HILL_SIDE; i++) {
         hill->exact[i] = hill_mean(i % HILL_SIDE, i / HILL_SIDE, HILL_SIDE);
@@ -231,14 +232,39 @@ static void count_pixels_of(struct target *target) {
 
 /* The scene's surface, and no exact colours yet. */
 static bool begin_checker(struct target *target, size_t side, struct error *error) {
-    if (!target_create(target, side, error) || !make_checker(&target->texture, error)) {
+    if (!target_create(target, side, error) || !paint(&target->texture, &checker, error)) {
         return false;
     }
-    place_surface(&(struct drawing){.values = NULL}, &target->image, plane_corners,
-                  target->corners);
+    place_surface(&plane_of_tiles, &target->image, target->corners);
     for (size_t i = 0; i < side * side; i++) {
         target->exact[i] = (struct vec3){-1, -1, -1};
     }
+    return true;
+}
+
+/* The mean colour (red, green, blue) of a pixel of scene checker, from `rays` * `rays` rays to the
+ * plane itself and without any triangle or texture. False where some ray misses the plane. */
+static bool exact_checker(size_t x, size_t y, size_t width, size_t height, int rays,
+                          struct vec3 *mean) {
+    const struct vec3 light = {245, 235, 215}, dark = {150, 45, 30};
+    const struct vec3 first = plane_of_tiles.place[0], last = plane_of_tiles.place[2];
+    int light_count = 0;
+    for (int i = 0; i < rays * rays; i++) {
+        double screen_x = (double)x + (i % rays + 0.5) / rays;
+        double screen_y = (double)y + (i / rays + 0.5) / rays;
+        /* The ray to (a, b, -1) * distance, in the frame of the plane, which is 1.5 below it. */
+        double a = (screen_x / (double)width - 0.5) * 2;
+        double b = (screen_y / (double)height - 0.75) * 2;
+        double down = 0.28 * a - 0.96 * b, distance = 1.5 / down;
+        double side = (0.96 * a + 0.28 * b) * distance;
+        if (down <= 0 || distance < first.z || distance > last.z || fabs(side) > last.x) {
+            return false;
+        }
+        double tile = floor(2 * side + 0.5) + floor(2 * distance + 0.5);
+        light_count += floor(tile / 2) * 2 == tile;
+    }
+    double share = (double)light_count / (rays * rays);
+    *mean = vec3_add(vec3_scale(light, share), vec3_scale(dark, 1 - share));
     return true;
 }
 
@@ -263,7 +289,8 @@ static size_t exact_texel(const struct vertex v[3], const double value[3], int x
     const struct fixed2 corner[3] = {v[0].position, v[1].position, v[2].position};
     const double recip_w[3] = {v[0].recip_w, v[1].recip_w, v[2].recip_w};
     long double place = oracle_interpolate(corner, recip_w, value, x, y);
-    return (size_t)((place - floorl(place)) * CHECKER_SIZE) % CHECKER_SIZE;
+    const size_t size = (size_t)checker.width;
+    return (size_t)((place - floorl(place)) * (long double)size) % size;
 }
 
 /* The nearest texel of each pixel that the triangle covers. */

@@ -4,6 +4,7 @@
 #define LESSON "../step06_texture/main.c"
 #include "lesson.h"
 
+#include "../../../step06_texture/attempts.h"
 #include "files/model_file.h"
 
 #include <stdio.h>
@@ -24,10 +25,9 @@ static void draw_samplers(void) {
                                                  attempt_3_unshifted, attempt_4_no_levels};
     struct texture texture;
     struct sheet sheet = {.width = SIDE, .height = SIDE, .columns = 4, .rows = 1, .gap = GAP};
-    figure_need(paint_picture(&texture, 4, 4, small_color, &figure_error));
+    figure_need(paint(&texture, &(struct pattern){4, 4, small_color, true}, &figure_error));
     sheet_create(&sheet);
     struct vertex corners[4];
-    texture_set_clamp(&texture, true);
     attempt_square(corners, SIDE);
     for (size_t i = 0; i < 4; i++) {
         attempt_quad(&sheet.panel, corners, &texture, attempts[i]);
@@ -38,22 +38,20 @@ static void draw_samplers(void) {
 
 /* ---- Affine: a board of 5 x 6 tiles ---- */
 
-/* Nobody walks, and no number of a scene is set. */
-static const struct drawing still = {.values = NULL};
-
-static void draw_affine(const struct texture *checker) {
+static void draw_affine(const struct texture *tiles) {
     enum { SIDE = 320 };
     static attempt_function *const attempts[] = {attempt_5_affine, attempt_6_levels};
-    static const struct surface_corner board[4] = {{-1.7, 0, 1.25, {-1.7, 1.25}},
-                                                   {0.8, 0, 1.25, {0.8, 1.25}},
-                                                   {0.8, 0, 4.25, {0.8, 4.25}},
-                                                   {-1.7, 0, 4.25, {-1.7, 4.25}}};
+    static const struct surface board = {
+        &checker,
+        {{-1.7, 0, 1.25}, {0.8, 0, 1.25}, {0.8, 0, 4.25}, {-1.7, 0, 4.25}},
+        {{-1.7, 1.25}, {0.8, 1.25}, {0.8, 4.25}, {-1.7, 4.25}},
+    };
     struct sheet sheet = {.width = SIDE, .height = SIDE, .columns = 2, .rows = 1, .gap = GAP};
     sheet_create(&sheet);
     for (size_t i = 0; i < 2; i++) {
         struct vertex corners[4];
-        place_surface(&still, &sheet.panel, board, corners);
-        attempt_quad(&sheet.panel, corners, checker, attempts[i]);
+        place_surface(&board, &sheet.panel, corners);
+        attempt_quad(&sheet.panel, corners, tiles, attempts[i]);
         sheet_add(&sheet);
     }
     figure_save(&sheet.image, "affine");
@@ -61,7 +59,7 @@ static void draw_affine(const struct texture *checker) {
 
 /* ---- The horizon of scene checker ---- */
 
-static void draw_horizon(const struct texture *checker) {
+static void draw_horizon(const struct texture *tiles) {
     static attempt_function *const attempts[] = {attempt_2_nearest, attempt_4_no_levels,
                                                  attempt_6_levels};
     const struct detail far = {200, 440, 162, 120, .zoom = 2};
@@ -74,9 +72,9 @@ static void draw_horizon(const struct texture *checker) {
     sheet_create(&sheet);
     for (size_t i = 0; i < 3; i++) {
         struct vertex corners[4];
-        place_surface(&still, &image, plane_corners, corners);
+        place_surface(&plane_of_tiles, &image, corners);
         image_clear(&image, color_grey(0));
-        attempt_quad(&image, corners, checker, attempts[i]);
+        attempt_quad(&image, corners, tiles, attempts[i]);
         sheet_add_detail(&sheet, &image, far);
     }
     figure_save(&sheet.image, "horizon");
@@ -105,8 +103,9 @@ static void draw_levels(void) {
     struct texture texture, drawn;
     struct image panel = figure_image(SIDE, SIDE), shown = figure_image(SHOWN, SHOWN);
     struct vertex corners[4];
-    figure_need(make_colored(&texture, &figure_error));
-    place_surface(&still, &panel, plane_corners, corners);
+    figure_need(paint(&texture, &checker, &figure_error));
+    attempt_color_levels(&texture);
+    place_surface(&plane_of_tiles, &panel, corners);
     attempt_quad(&panel, corners, &texture, attempt_6_levels);
     figure_need(texture_create(&drawn, &panel, &figure_error));
     show_texture(&shown, &drawn);
@@ -160,11 +159,11 @@ static void draw_uv_mesh(struct model *bust) {
 }
 
 void draw_figures(struct model *bust) {
-    struct texture checker;
-    figure_need(make_checker(&checker, &figure_error));
-    draw_horizon(&checker);
+    struct texture tiles;
+    figure_need(paint(&tiles, &checker, &figure_error));
+    draw_horizon(&tiles);
     draw_samplers();
-    draw_affine(&checker);
+    draw_affine(&tiles);
     draw_levels();
     draw_textures(bust);
     draw_uv_mesh(bust);

@@ -14,7 +14,7 @@ static struct image called_sheet = {CALLED_SIDE, CALLED_SIDE, IMAGE_BGR, called_
 static struct texture called_made(int width, int height, struct color (*texel)(int x, int y)) {
     struct texture texture;
     struct error error;
-    if (!paint_picture(&texture, width, height, texel, &error)) {
+    if (!paint(&texture, &(struct pattern){width, height, texel, false}, &error)) {
         exit(1);
     }
     return texture;
@@ -55,8 +55,7 @@ static const struct vec2 called_place = {0.9975, 0.45};
 static struct canvas called_canvas;
 
 static void called_begin(double depth) {
-    called_canvas = (struct canvas){
-        .image = &called_sheet, .depth = called_depths, .sampler = SAMPLE_TRILINEAR, .skip = true};
+    called_canvas = (struct canvas){&called_sheet, called_depths, SAMPLE_TRILINEAR};
     memset(called_bytes, 0, sizeof called_bytes);
     for (int i = 0; i < CALLED_SIDE * CALLED_SIDE; i++) {
         called_depths[i] = depth;

@@ -47,13 +47,13 @@ static void make_textured(struct random *random, uint64_t index, void *made) {
     c->clamp = index % 2 == 0;
 }
 
-static struct layer_work draw_layers(const void *tried, const struct depth_image *on) {
+static void draw_layers(const void *tried, struct image *image, double *depth) {
     const struct texture_case *c = tried;
     uint32_t texels[TEXELS];
     memcpy(texels, c->texels, sizeof texels);
     struct texture texture = texture_from(texels, SIDE, SIDE);
     texture.clamp = c->clamp;
-    struct canvas canvas = {.image = on->image, .depth = on->depth, .skip = on->skip};
+    const struct canvas canvas = {.image = image, .depth = depth};
     for (int i = 0; i < LAYER_COUNT; i++) {
         struct vertex v[3];
         for (int k = 0; k < 3; k++) {
@@ -62,7 +62,6 @@ static struct layer_work draw_layers(const void *tried, const struct depth_image
         }
         triangle(&canvas, v, &texture, c->intensity[i]);
     }
-    return (struct layer_work){canvas.pixels_tested, canvas.texels_fetched};
 }
 
 static int texel_that_holds(long double coordinate, bool clamp) {
@@ -212,43 +211,35 @@ static bool place_is_right(const struct perspective_case *c, const struct quotie
            is_near(up.x, u.up, gain_slack) && is_near(up.y, v.up, gain_slack);
 }
 
-/* Adds to `fetched` how many texels a pixel needs at least. */
+/* A sample of two levels, also where main.c reads only one, because the other counts for nothing:
+ * the colour is the same to the last bit. */
 static bool sample_is_right(const struct perspective_case *c, const struct quotients *plane, int x,
-                            int y, struct color color, const struct texture *texture,
-                            uint64_t *fetched) {
+                            int y, struct color color, const struct texture *texture) {
     struct vec2 uv;
     double level;
     bool right = place_is_right(c, plane, x, y, &uv, &level, texture);
     struct vec4 sample = sample_trilinear(texture, uv, level);
-    *fetched += level > 0 ? 8 : 4;
-    return right && color_is_right(color, (struct real3){sample.x, sample.y, sample.z});
+    return right && color.r == level_from(sample.x) && color.g == level_from(sample.y) &&
+           color.b == level_from(sample.z);
 }
 
-/* With and without fetching what counts for nothing. */
 static bool perspective_picture_is_right(const struct perspective_case *c,
                                          const struct vertex vertices[3],
                                          const struct texture *texture) {
-    uint8_t pixels[3 * PIXELS] = {0}, all_pixels[3 * PIXELS] = {0};
+    uint8_t pixels[3 * PIXELS] = {0};
     struct image image = {SCREEN_WIDTH, SCREEN_HEIGHT, IMAGE_BGR, pixels};
-    struct image all_image = {SCREEN_WIDTH, SCREEN_HEIGHT, IMAGE_BGR, all_pixels};
-    struct canvas canvas = {.image = &image, .sampler = SAMPLE_TRILINEAR, .skip = true};
-    struct canvas all = {.image = &all_image, .sampler = SAMPLE_TRILINEAR};
+    const struct canvas canvas = {.image = &image, .sampler = SAMPLE_TRILINEAR};
     struct quotients plane;
-    uint64_t fetched = 0;
     perspective_triangle(&canvas, vertices, texture);
-    perspective_triangle(&all, vertices, texture);
-    bool drawn = plane_begin(&plane, &image, vertices);
-    bool right = memcmp(pixels, all_pixels, sizeof pixels) == 0;
+    bool drawn = plane_begin(&plane, &image, vertices), right = true;
     for (int i = 0; i < PIXELS && right; i++) {
         int x = i % SCREEN_WIDTH, y = i / SCREEN_WIDTH;
         struct color color = image_get(&image, x, y);
         right = oracle_covers(c->corner[0], c->corner[1], c->corner[2], x, y)
-                    ? drawn && sample_is_right(c, &plane, x, y, color, texture, &fetched)
+                    ? drawn && sample_is_right(c, &plane, x, y, color, texture)
                     : (color.r | color.g | color.b) == 0;
     }
-    return right && canvas.texels_fetched == fetched &&
-           canvas.pixels_written == all.pixels_written &&
-           all.texels_fetched == 8 * all.pixels_written;
+    return right;
 }
 
 static bool perspective_is_right(const void *tried) {

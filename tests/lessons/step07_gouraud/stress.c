@@ -85,14 +85,14 @@ static void make_smooth(struct random *random, uint64_t index, void *made) {
     }
 }
 
-static struct layer_work draw_layers(const void *tried, const struct depth_image *on) {
+static void draw_layers(const void *tried, struct image *image, double *depth) {
     const struct smooth_case *c = tried;
-    struct canvas canvas = {.image = on->image,
+    struct canvas canvas = {.image = image,
                             .width = SCREEN_WIDTH,
                             .height = SCREEN_HEIGHT,
-                            .depth = on->depth,
+                            .depth = depth,
                             .material = &clay,
-                            .skip = on->skip};
+                            .skip = true};
     for (int i = 0; i < LAYER_COUNT; i++) {
         const struct fixed2 *p = c->layers.corner[i];
         struct vertex v[3];
@@ -106,7 +106,6 @@ static struct layer_work draw_layers(const void *tried, const struct depth_image
             smooth[c->kind](&canvas, &edges, v);
         }
     }
-    return (struct layer_work){canvas.pixels_tested, canvas.pixels_shaded};
 }
 
 /* Ambient above left, diffuse above right, specular below left, all below right. */

@@ -80,32 +80,24 @@ void make_layers(struct random *random, uint64_t index, void *made);
 long double layer_value(const struct layers *layers, int layer, const double value[3], int x,
                         int y);
 
-/* Pixels that were tested, and colours that were computed for them. */
-struct layer_work {
-    uint64_t tested, computed;
-};
-
-/* What layers are drawn on. */
-struct depth_image {
-    struct image *image;
-    double *depth; /* one a pixel of one picture */
-    bool skip;     /* compute no colour for what is hidden */
-};
-
 /* How a lesson draws the layers of a case. */
 struct layered {
     const struct layers *layers;
     const void *tried;
     int side; /* so many pictures next to and above one another show the same layers */
-    struct layer_work (*draw)(const void *tried, const struct depth_image *on);
+    /* The depth has one number for each pixel of one picture. */
+    void (*draw)(const void *tried, struct image *image, double *depth);
     /* Does the layer have this colour at this pixel, in a picture (from 0, below left)? */
     bool (*has_color)(const void *tried, int layer, int picture, int x, int y, struct color color);
 };
 
 /* Does each pixel show a layer that may be seen there: which covers it, in front of which none is
  * by more than rounding can hide, and which is no copy of an earlier one? With its colour and its
- * depth; the same with and without skipping; and all must stay when the layers are drawn again. */
+ * depth; and all must stay when the layers are drawn again. */
 bool layers_are_right(const struct layered *layered);
+
+/* How many pixels the layers cover, together. */
+uint64_t layers_cover(const struct layers *layers);
 
 /* ---- A model of one face ---- */
 
