@@ -18,10 +18,11 @@ struct attempt_face {
     struct vec3 face_normal; /* of length 1, out of the model */
 };
 
-typedef void attempt_function(struct canvas *canvas, struct attempt_face *face, struct vec3 light);
+typedef void attempt_function(const struct canvas *canvas, struct attempt_face *face,
+                              struct vec3 light);
 
 /* A level for every pixel that passes the depth test. */
-static inline void attempt_fill(struct canvas *canvas, const struct attempt_face *face,
+static inline void attempt_fill(const struct canvas *canvas, const struct attempt_face *face,
                                 struct vec3 light,
                                 uint8_t (*level_at)(const struct attempt_face *face,
                                                     struct vec3 weight, struct vec3 light)) {
@@ -47,14 +48,14 @@ static inline uint8_t attempt_flat_level(const struct attempt_face *face, struct
 }
 
 /* One intensity for the whole face: every edge of the mesh shows. */
-static inline void attempt_1_flat(struct canvas *canvas, struct attempt_face *face,
+static inline void attempt_1_flat(const struct canvas *canvas, struct attempt_face *face,
                                   struct vec3 light) {
     face->vertices[0].intensity = corner_intensity(face->face_normal, light);
     attempt_fill(canvas, face, light, attempt_flat_level);
 }
 
 /* The lesson's own: an intensity at each corner. */
-static inline void attempt_2_gouraud(struct canvas *canvas, struct attempt_face *face,
+static inline void attempt_2_gouraud(const struct canvas *canvas, struct attempt_face *face,
                                      struct vec3 light) {
     for (int i = 0; i < 3; i++) {
         face->vertices[i].intensity = corner_intensity(face->normals[i], light);
@@ -71,7 +72,7 @@ static inline uint8_t attempt_normal_level(const struct attempt_face *face, stru
 
 /* The normal itself interpolated and made of length 1 again at every pixel (Phong): the best
  * picture, for a square root and a division per pixel. */
-static inline void attempt_3_normal(struct canvas *canvas, struct attempt_face *face,
+static inline void attempt_3_normal(const struct canvas *canvas, struct attempt_face *face,
                                     struct vec3 light) {
     attempt_fill(canvas, face, light, attempt_normal_level);
 }
@@ -97,7 +98,7 @@ static inline uint8_t attempt_late_level(const struct attempt_face *face, struct
 
 /* Clamped after interpolation instead of before: the shadow begins inside the triangles, with a
  * hard edge, where the lesson's version fades to the next corner. */
-static inline void attempt_5_late(struct canvas *canvas, struct attempt_face *face,
+static inline void attempt_5_late(const struct canvas *canvas, struct attempt_face *face,
                                   struct vec3 light) {
     attempt_signed_corners(face, light);
     attempt_fill(canvas, face, light, attempt_late_level);
@@ -110,75 +111,94 @@ static inline uint8_t attempt_wrapped_level(const struct attempt_face *face, str
 }
 
 /* Wrong: not clamped at all. -1 becomes 255 in a byte: the shadow side shines. */
-static inline void attempt_6_wrapped(struct canvas *canvas, struct attempt_face *face,
+static inline void attempt_6_wrapped(const struct canvas *canvas, struct attempt_face *face,
                                      struct vec3 light) {
     attempt_signed_corners(face, light);
     attempt_fill(canvas, face, light, attempt_wrapped_level);
 }
 
-/* ---- A sphere of 8, 32, 128, 512 ... triangles ---- */
+/* ---- Faces ---- */
 
-#define SPHERE_RADIUS 0.9 /* of half the image */
-
-static inline struct vec3 sphere_middle(struct vec3 a, struct vec3 b) {
-    return vec3_normalized(vec3_add(a, b));
-}
-
-static inline bool sphere_begin_face(const struct canvas *canvas, struct attempt_face *face,
-                                     const struct vec3 corners[3]) {
+/* Place a face, `scale` times as large, and find its edges. False when there is nothing to draw:
+ * it is too far off, covers no pixel centre or shows its inside. Its normals stay as they are. */
+static inline bool attempt_begin_face(const struct canvas *canvas, struct attempt_face *face,
+                                      const struct vec3 corners[3], double scale) {
+    struct vertex *v = face->vertices;
     bool placed = true;
     for (int i = 0; i < 3; i++) {
-        struct vec3 p = corners[i];
-        struct vec2 screen = {(p.x * SPHERE_RADIUS + 1) * (double)canvas->width / 2,
-                              (p.y * SPHERE_RADIUS + 1) * (double)canvas->height / 2};
-        face->vertices[i] = (struct vertex){.depth = p.z};
-        face->normals[i] = p;
-        placed = screen_snap(screen, &face->vertices[i].position) && placed;
+        struct vec2 screen =
+            parallel_view(vec3_scale(corners[i], scale), canvas->width, canvas->height);
+        v[i] = (struct vertex){.depth = corners[i].z};
+        placed = screen_snap(screen, &v[i].position) && placed;
     }
     face->face_normal = vec3_normalized(
         vec3_cross(vec3_sub(corners[1], corners[0]), vec3_sub(corners[2], corners[0])));
-    const struct vertex *v = face->vertices;
     return placed &&
            edges_setup(&face->edges, v[0].position, v[1].position, v[2].position, canvas->width,
                        canvas->height) &&
            !face->edges.clockwise;
 }
 
+/* A whole model by any version. */
+static inline void attempt_model(const struct canvas *canvas, const struct model *model,
+                                 struct vec3 light, attempt_function *attempt) {
+    depth_clear(canvas->depth, canvas->width * canvas->height);
+    for (size_t i = 0; i < model->face_count; i++) {
+        struct attempt_face face = {0};
+        struct vec3 corners[3];
+        for (size_t j = 0; j < 3; j++) {
+            corners[j] = model_position(model, i, j);
+            face.normals[j] = vec3_normalized(model_normal(model, i, j));
+        }
+        if (attempt_begin_face(canvas, &face, corners, 1)) {
+            attempt(canvas, &face, light);
+        }
+    }
+}
+
+/* ---- A sphere of 8, 32, 128, 512 ... triangles ---- */
+
+#define ATTEMPT_RADIUS 0.9 /* of half the image */
+
+static inline struct vec3 attempt_middle(struct vec3 a, struct vec3 b) {
+    return vec3_normalized(vec3_add(a, b));
+}
+
 /* A spherical triangle, cut into four `times` times. */
-static inline void sphere_part(struct canvas *canvas, struct vec3 a, struct vec3 b, struct vec3 c,
-                               int times, struct vec3 light, attempt_function *attempt) {
+static inline void attempt_sphere_part(const struct canvas *canvas, struct vec3 a, struct vec3 b,
+                                       struct vec3 c, int times, struct vec3 light,
+                                       attempt_function *attempt) {
     if (times > 0) {
-        struct vec3 ab = sphere_middle(a, b), bc = sphere_middle(b, c), ca = sphere_middle(c, a);
-        sphere_part(canvas, a, ab, ca, times - 1, light, attempt);
-        sphere_part(canvas, ab, b, bc, times - 1, light, attempt);
-        sphere_part(canvas, ca, bc, c, times - 1, light, attempt);
-        sphere_part(canvas, ab, bc, ca, times - 1, light, attempt);
+        struct vec3 ab = attempt_middle(a, b), bc = attempt_middle(b, c), ca = attempt_middle(c, a);
+        attempt_sphere_part(canvas, a, ab, ca, times - 1, light, attempt);
+        attempt_sphere_part(canvas, ab, b, bc, times - 1, light, attempt);
+        attempt_sphere_part(canvas, ca, bc, c, times - 1, light, attempt);
+        attempt_sphere_part(canvas, ab, bc, ca, times - 1, light, attempt);
         return;
     }
-    struct attempt_face face;
-    const struct vec3 corners[3] = {a, b, c};
-    if (sphere_begin_face(canvas, &face, corners)) {
+    struct attempt_face face = {.normals = {a, b, c}};
+    if (attempt_begin_face(canvas, &face, face.normals, ATTEMPT_RADIUS)) {
         attempt(canvas, &face, light);
     }
 }
 
 /* A sphere that nearly fills the image, made of 8 * 4^times triangles: an octahedron, cut up. */
-static inline void attempt_sphere(struct canvas *canvas, int times, struct vec3 light,
+static inline void attempt_sphere(const struct canvas *canvas, int times, struct vec3 light,
                                   attempt_function *attempt) {
     depth_clear(canvas->depth, canvas->width * canvas->height);
     for (int octant = 0; octant < 8; octant++) {
         struct vec3 x = {octant & 1 ? -1 : 1, 0, 0}, y = {0, octant & 2 ? -1 : 1, 0};
         struct vec3 z = {0, 0, octant & 4 ? -1 : 1};
         bool mirrored = x.x * y.y * z.z < 0;
-        sphere_part(canvas, x, mirrored ? z : y, mirrored ? y : z, times, light, attempt);
+        attempt_sphere_part(canvas, x, mirrored ? z : y, mirrored ? y : z, times, light, attempt);
     }
 }
 
 /* The level of a pixel of the true sphere; false where its centre lies off the sphere. */
-static inline bool exact_sphere(size_t x, size_t y, size_t width, size_t height, struct vec3 light,
-                                double *level) {
-    double nx = (2 * ((double)x + 0.5) / (double)width - 1) / SPHERE_RADIUS;
-    double ny = (2 * ((double)y + 0.5) / (double)height - 1) / SPHERE_RADIUS;
+static inline bool attempt_exact_sphere(size_t x, size_t y, size_t width, size_t height,
+                                        struct vec3 light, double *level) {
+    double nx = (2 * ((double)x + 0.5) / (double)width - 1) / ATTEMPT_RADIUS;
+    double ny = (2 * ((double)y + 0.5) / (double)height - 1) / ATTEMPT_RADIUS;
     double square = 1 - nx * nx - ny * ny;
     if (square < 0) {
         return false;
@@ -189,13 +209,13 @@ static inline bool exact_sphere(size_t x, size_t y, size_t width, size_t height,
 
 /* Root of the mean squared error, in levels, over the pixels that the sphere and its triangles have
  * in common. */
-static inline double sphere_error(const struct canvas *canvas, struct vec3 light) {
+static inline double attempt_sphere_error(const struct canvas *canvas, struct vec3 light) {
     double sum = 0, pixels = 0;
     for (size_t y = 0; y < canvas->height; y++) {
         for (size_t x = 0; x < canvas->width; x++) {
             double level;
             if (!(canvas->depth[y * canvas->width + x] > -INFINITY) ||
-                !exact_sphere(x, y, canvas->width, canvas->height, light, &level)) {
+                !attempt_exact_sphere(x, y, canvas->width, canvas->height, light, &level)) {
                 continue;
             }
             double error = image_get(canvas->image, (int)x, (int)y).r - level;
@@ -204,24 +224,6 @@ static inline double sphere_error(const struct canvas *canvas, struct vec3 light
         }
     }
     return pixels > 0 ? sqrt(sum / pixels) : 0;
-}
-
-/* ---- A whole model by any version ---- */
-
-static inline void attempt_model(struct canvas *canvas, const struct model *model,
-                                 struct vec3 light, attempt_function *attempt) {
-    depth_clear(canvas->depth, canvas->width * canvas->height);
-    for (size_t i = 0; i < model->face_count; i++) {
-        struct attempt_face face = {0};
-        if (!begin_face(model, i, canvas, face.vertices, &face.edges)) {
-            continue;
-        }
-        face.face_normal = vec3_normalized(model_face_normal(model, i));
-        for (size_t j = 0; j < 3; j++) {
-            face.normals[j] = vec3_normalized(model_normal(model, i, j));
-        }
-        attempt(canvas, &face, light);
-    }
 }
 
 #endif

@@ -66,23 +66,19 @@ struct vertex {
     struct light_parts parts; /* scene lit */
 };
 
-/* What is drawn on, and the work done on it. */
+/* What is drawn on. */
 struct canvas {
     struct image *image;
     size_t width, height;            /* pixels of the image, or of one of the four pictures in it */
     double *depth;                   /* width * height, row by row from the bottom */
     const struct material *material; /* in scenes with three kinds of light */
-    bool skip;                       /* compute a colour only where it will be seen */
-    uint64_t pixels_tested;          /* covered by a triangle */
-    uint64_t pixels_shaded;
 };
 
 /* The depth test of lesson 5: is the pixel nearer than what is there? Then its depth is kept. */
-static bool depth_test(struct canvas *canvas, const struct vertex v[3], struct vec3 weight, int x,
-                       int y) {
+static bool depth_test(const struct canvas *canvas, const struct vertex v[3], struct vec3 weight,
+                       int x, int y) {
     double *there = &canvas->depth[(size_t)y * canvas->width + (size_t)x];
     double depth = interpolate_depth(weight, v[0].depth, v[1].depth, v[2].depth);
-    canvas->pixels_tested++;
     if (!(depth > *there)) {
         return false;
     }
@@ -91,22 +87,18 @@ static bool depth_test(struct canvas *canvas, const struct vertex v[3], struct v
 }
 
 /* The triangle of lesson 5 with an intensity at each corner, interpolated in between. */
-static void triangle(struct canvas *canvas, const struct edges *edges, const struct vertex v[3]) {
+static void triangle(const struct canvas *canvas, const struct edges *edges,
+                     const struct vertex v[3]) {
     for (int y = edges->y_begin; y < edges->y_end; y++) {
         struct span span = edges_span(edges, y);
         /* BEGIN SOLUTION 7a.2 intensity inside a triangle */
         for (int x = span.begin; x < span.end; x++) {
             struct vec3 weight = edges_weights(edges, x, y);
-            bool seen = depth_test(canvas, v, weight, x, y);
-            if (!seen && canvas->skip) {
+            if (!depth_test(canvas, v, weight, x, y)) {
                 continue; /* what is hidden needs no colour */
             }
             double intensity = interpolate(weight, v[0].intensity, v[1].intensity, v[2].intensity);
-            struct color color = color_grey(level_from(intensity * 255));
-            canvas->pixels_shaded++;
-            if (seen) {
-                image_set(canvas->image, x, y, color);
-            }
+            image_set(canvas->image, x, y, color_grey(level_from(intensity * 255)));
         }
         /* STARTER
         // to do 7a.2: for each pixel that passes the depth test interpolate the intensity
@@ -116,24 +108,20 @@ static void triangle(struct canvas *canvas, const struct edges *edges, const str
 }
 
 /* The same with a colour at each corner: three channels, each interpolated like the intensity. */
-static void color_triangle(struct canvas *canvas, const struct edges *edges,
+static void color_triangle(const struct canvas *canvas, const struct edges *edges,
                            const struct vertex v[3]) {
     for (int y = edges->y_begin; y < edges->y_end; y++) {
         struct span span = edges_span(edges, y);
         /* BEGIN SOLUTION 7a.3 colour inside a triangle */
         for (int x = span.begin; x < span.end; x++) {
             struct vec3 weight = edges_weights(edges, x, y);
-            bool seen = depth_test(canvas, v, weight, x, y);
-            if (!seen && canvas->skip) {
+            if (!depth_test(canvas, v, weight, x, y)) {
                 continue;
             }
             struct vec3 c = vec3_interpolate(weight, v[0].color, v[1].color, v[2].color);
             struct color color =
                 color_rgb(level_from(c.x * 255), level_from(c.y * 255), level_from(c.z * 255));
-            canvas->pixels_shaded++;
-            if (seen) {
-                image_set(canvas->image, x, y, color);
-            }
+            image_set(canvas->image, x, y, color);
         }
         /* STARTER
         (void)canvas, (void)v, (void)span; // to do 7a.3: as in 7a.2, with red, green and blue
@@ -215,23 +203,21 @@ static struct color panel_color(const struct panel *panel, struct light_parts pa
 
 /* The triangle with the two parts interpolated. The panels show the same triangles, so one depth
  * test serves them all. */
-static void lit_triangle(struct canvas *canvas, const struct edges *edges,
+static void lit_triangle(const struct canvas *canvas, const struct edges *edges,
                          const struct vertex v[3]) {
     for (int y = edges->y_begin; y < edges->y_end; y++) {
         struct span span = edges_span(edges, y);
         /* BEGIN SOLUTION 7b.3 light inside a triangle */
         for (int x = span.begin; x < span.end; x++) {
             struct vec3 weight = edges_weights(edges, x, y);
-            bool seen = depth_test(canvas, v, weight, x, y);
-            if (!seen && canvas->skip) {
+            if (!depth_test(canvas, v, weight, x, y)) {
                 continue;
             }
             struct light_parts parts = {
                 interpolate(weight, v[0].parts.diffuse, v[1].parts.diffuse, v[2].parts.diffuse),
                 interpolate(weight, v[0].parts.specular, v[1].parts.specular, v[2].parts.specular),
             };
-            canvas->pixels_shaded++;
-            for (size_t i = 0; seen && i < PANEL_COUNT; i++) {
+            for (size_t i = 0; i < PANEL_COUNT; i++) {
                 image_set(canvas->image, x + panels[i].column * (int)canvas->width,
                           y + panels[i].row * (int)canvas->height,
                           panel_color(&panels[i], parts, canvas->material));

@@ -62,29 +62,24 @@ INLINED double intensity_at(struct vec3 weight, const struct vertex v[3], const 
 }
 
 /* triangle() of main.c, line by line, except for the intensity. */
-INLINED void shaded_triangle(struct canvas *canvas, const struct edges *edges,
+INLINED void shaded_triangle(const struct canvas *canvas, const struct edges *edges,
                              const struct vertex v[3], const struct vec3 n[3], struct vec3 light,
                              int way, int kind) {
     for (int y = edges->y_begin; y < edges->y_end; y++) {
         struct span span = edges_span(edges, y);
         for (int x = span.begin; x < span.end; x++) {
             struct vec3 weight = edges_weights(edges, x, y);
-            bool seen = depth_test(canvas, v, weight, x, y);
-            if (!seen && canvas->skip) {
+            if (!depth_test(canvas, v, weight, x, y)) {
                 continue;
             }
             double intensity = intensity_at(weight, v, n, light, way, kind);
-            struct color color = color_grey(level_from(intensity * 255));
-            canvas->pixels_shaded++;
-            if (seen) {
-                image_set(canvas->image, x, y, color);
-            }
+            image_set(canvas->image, x, y, color_grey(level_from(intensity * 255)));
         }
     }
 }
 
-INLINED void shaded_mesh(struct canvas *canvas, const struct mesh *mesh, struct vec3 light, int way,
-                         int kind) {
+INLINED void shaded_mesh(const struct canvas *canvas, const struct mesh *mesh, struct vec3 light,
+                         int way, int kind) {
     for (size_t i = 0; i < mesh->count; i++) {
         const struct attempt_face *face = &mesh->faces[i];
         struct vertex v[3] = {face->vertices[0], face->vertices[1], face->vertices[2]};
@@ -106,10 +101,10 @@ INLINED void shaded_mesh(struct canvas *canvas, const struct mesh *mesh, struct 
     }
 }
 
-typedef void mesh_function(struct canvas *canvas, const struct mesh *mesh, struct vec3 light);
+typedef void mesh_function(const struct canvas *canvas, const struct mesh *mesh, struct vec3 light);
 
 #define WAY(name, way, kind)                                                                       \
-    static void name(struct canvas *canvas, const struct mesh *mesh, struct vec3 light) {          \
+    static void name(const struct canvas *canvas, const struct mesh *mesh, struct vec3 light) {    \
         shaded_mesh(canvas, mesh, light, way, kind);                                               \
     }
 WAY(flat_diffuse, FLAT, DIFFUSE)
@@ -128,8 +123,8 @@ static mesh_function *const ways[LIGHT_COUNT][WAY_COUNT] = {
 #define LIGHT(kind) ((kind)*MESH_COUNT)
 
 static void run(struct bench_choice choice) {
-    struct canvas canvas = {
-        .image = &work.image, .width = SIDE, .height = SIDE, .depth = work.depth, .skip = true};
+    const struct canvas canvas = {
+        .image = &work.image, .width = SIDE, .height = SIDE, .depth = work.depth};
     depth_clear(work.depth, (size_t)SIDE * SIDE);
     ways[choice.on / MESH_COUNT][choice.way](&canvas, &work.meshes[choice.on % MESH_COUNT],
                                              work.light);
@@ -157,8 +152,9 @@ struct collector {
     struct mesh *mesh;
 };
 
-static void collect_face(struct canvas *canvas, struct attempt_face *face, struct vec3 light) {
-    struct mesh *mesh = ((struct collector *)canvas)->mesh;
+static void collect_face(const struct canvas *canvas, struct attempt_face *face,
+                         struct vec3 light) {
+    struct mesh *mesh = ((const struct collector *)canvas)->mesh;
     (void)light;
     mesh->faces[mesh->count++] = *face;
 }
@@ -177,8 +173,8 @@ static void make_meshes(void) {
 
 /* The levels of the true sphere at the centre of a pixel; negative off the sphere. */
 static void sphere_levels(int x, int y, struct vec3 light, long double levels[LIGHT_COUNT]) {
-    long double nx = (2 * (x + 0.5L) / SIDE - 1) / SPHERE_RADIUS;
-    long double ny = (2 * (y + 0.5L) / SIDE - 1) / SPHERE_RADIUS;
+    long double nx = (2 * (x + 0.5L) / SIDE - 1) / ATTEMPT_RADIUS;
+    long double ny = (2 * (y + 0.5L) / SIDE - 1) / ATTEMPT_RADIUS;
     long double square = 1 - nx * nx - ny * ny;
     if (square < 0) {
         levels[DIFFUSE] = levels[HIGHLIGHT] = -1;

@@ -23,8 +23,7 @@ static struct canvas figure_begin(struct sheet *sheet, size_t columns, size_t ro
     return (struct canvas){.image = &sheet->panel,
                            .width = SIDE,
                            .height = SIDE,
-                           .depth = figure_memory(SIDE * SIDE, sizeof(double)),
-                           .skip = true};
+                           .depth = figure_memory(SIDE * SIDE, sizeof(double))};
 }
 
 /* ---- The sphere: three versions, three meshes ---- */
@@ -45,7 +44,7 @@ static void draw_spheres(void) {
         for (int times = 2; times <= 4; times++) {
             attempt_sphere(&canvas, times, light, versions[i].attempt);
             printf("%-36s %4d triangles: error %5.2f\n", versions[i].name, 8 << 2 * times,
-                   sphere_error(&canvas, light));
+                   attempt_sphere_error(&canvas, light));
             sheet_add(&sheet);
         }
     }

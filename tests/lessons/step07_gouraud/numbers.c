@@ -15,8 +15,7 @@ static struct canvas called_canvas = {.image = &called_sheet,
                                       .width = CALLED_WIDTH,
                                       .height = CALLED_HEIGHT,
                                       .depth = called_depths,
-                                      .material = &satin,
-                                      .skip = true};
+                                      .material = &satin};
 
 /* The corners that the texts of calls name. */
 static const struct vertex called_grey[3] = {
@@ -26,7 +25,7 @@ static const struct vertex called_colors[3] = {
 static const struct vertex called_lights[3] = {
     {.parts = {0.9, 0.06}}, {.parts = {0.4, 0.03}}, {.parts = {0.24, 0}}};
 
-typedef void called_triangle_function(struct canvas *called_canvas, const struct edges *edges,
+typedef void called_triangle_function(const struct canvas *called_canvas, const struct edges *edges,
                                       const struct vertex v[3]);
 
 static void called_clear(void) {

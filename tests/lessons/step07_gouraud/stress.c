@@ -63,7 +63,7 @@ static double parts_error(const void *tried) {
 /* What is interpolated: an intensity, a colour, or the two parts of the light. */
 enum kind { GREY, COLORED, LIT, KINDS };
 
-typedef void draw_smooth(struct canvas *canvas, const struct edges *edges,
+typedef void draw_smooth(const struct canvas *canvas, const struct edges *edges,
                          const struct vertex v[3]);
 
 static draw_smooth *const smooth[KINDS] = {triangle, color_triangle, lit_triangle};
@@ -91,8 +91,7 @@ static void draw_layers(const void *tried, struct image *image, double *depth) {
                             .width = SCREEN_WIDTH,
                             .height = SCREEN_HEIGHT,
                             .depth = depth,
-                            .material = &clay,
-                            .skip = true};
+                            .material = &clay};
     for (int i = 0; i < LAYER_COUNT; i++) {
         const struct fixed2 *p = c->layers.corner[i];
         struct vertex v[3];
