@@ -5,12 +5,12 @@
 #include "base/file.h"
 #include "build.h"
 #include "compare.h"
-#include "counters.h"
-#include "doubt.h"
+#include "diagnose.h"
 #include "drawn.h"
 #include "fault.h"
 #include "files/image_file.h"
 #include "files/png.h"
+#include "judging.h"
 #include "legend.h"
 #include "looks.h"
 #include "numbers.h"
@@ -31,19 +31,6 @@ enum {
     TIMEOUT_LIMIT = 3, /* times that a step's program is waited for in vain; then only shortly */
     SOURCE_LIMIT = 1 << 20, /* bytes of main.c */
     FILE_EXTRA = 8192       /* bytes on the disk of a picture's file, around its pixels */
-};
-
-/* What is known of a step before its program runs, which could change files. */
-struct judging {
-    const struct options *options;
-    const struct checked_step *step;
-    struct step_result *result;
-    struct image *references;     /* one a scene, empty where there is none: it is an ERROR */
-    struct mistake_list mistakes; /* that are known, */
-    struct looks *looks;          /* and what they look like in each scene */
-    struct bytes source;          /* main.c, a NUL at its end */
-    struct run_limits limits;
-    struct run_directory directory; /* where the program draws */
 };
 
 /* ---- What a picture shows ---- */
@@ -102,10 +89,8 @@ static const struct tally *judge_shares(struct item_result *item) {
     return verdict.tally;
 }
 
-static void append_line(const char *path, const char *format, ...) PRINTF_LIKE(2, 3);
-
 /* Add to a file, "" for none, which whoever keeps limits and signs of mistakes has asked for. */
-static void append_line(const char *path, const char *format, ...) {
+void judging_append(const char *path, const char *format, ...) {
     if (path[0] == '\0') {
         return;
     }
@@ -127,10 +112,10 @@ static void write_shares(const char *path, const char *step, const struct item_r
     if (likeness->row > 0) {
         snprintf(distance, sizeof distance, "%zu", likeness->distance);
     }
-    append_line(path, "%s %s %.4f %.4f %.4f %.4f %.4f %s\n", step, item->scene,
-                share * (double)shares->wrong.count, share * (double)shares->apart.count,
-                share * (double)shares->coverage.count, share * (double)shares->near.count,
-                compare_lighter(shares), distance);
+    judging_append(path, "%s %s %.4f %.4f %.4f %.4f %.4f %s\n", step, item->scene,
+                   share * (double)shares->wrong.count, share * (double)shares->apart.count,
+                   share * (double)shares->coverage.count, share * (double)shares->near.count,
+                   compare_lighter(shares), distance);
 }
 
 static void judge_picture(const struct judging *judging, size_t i, const struct image *yours) {
@@ -212,15 +197,15 @@ static void keep_pictures(const struct judging *judging, struct item_result *ite
 }
 
 /* One that is not there has no name, which is no file's. */
-static void drop_picture(struct result_path *path) {
+void judging_drop_picture(struct result_path *path) {
     unlink(path->text);
     path->text[0] = '\0';
 }
 
 /* A scene that was missing, and is exact where it is drawn alone, has none. */
 static void drop_pictures(struct item_result *item) {
-    drop_picture(&item->yours);
-    drop_picture(&item->difference);
+    judging_drop_picture(&item->yours);
+    judging_drop_picture(&item->difference);
     item->reference.text[0] = '\0';
 }
 
@@ -234,7 +219,7 @@ static void remove_old_pictures(const struct judging *judging) {
 
 /* ---- How a program ended ---- */
 
-static bool ended_well(const struct run_result *end) {
+bool judging_ended_well(const struct run_result *end) {
     return end->end == RUN_EXITED && end->number == 0;
 }
 
@@ -248,7 +233,7 @@ static enum result_state state_of_end(const struct run_result *end) {
 /* Has a sanitizer ended it? */
 static bool is_fault(const struct judging *judging, const struct run_result *end,
                      struct result_text *text) {
-    return end->end != RUN_OUT_OF_TIME && !ended_well(end) &&
+    return end->end != RUN_OUT_OF_TIME && !judging_ended_well(end) &&
            fault_describe(text, judging->step->name, (const char *)end->messages.data);
 }
 
@@ -351,7 +336,7 @@ static bool judge_alone(const struct judging *judging, size_t i, struct error *e
     bool done = drawn_run(options->programs, judging->step->name, judging->directory.path,
                           item->scene, NULL, &judging->limits, &end, error);
     if (done && end.end != RUN_INTERRUPTED && judge_scene(judging, i) == DRAWN_MISSING &&
-        !ended_well(&end)) {
+        !judging_ended_well(&end)) {
         blame(judging, item, &end);
     }
     bytes_free(&end.messages);
@@ -374,7 +359,7 @@ static bool judge_pictures(const struct judging *judging, const struct run_resul
     for (size_t i = 0; i < step->scene_count && done; i++) {
         if (items[i].state == RESULT_ERROR) {
             judging->result->state = RESULT_ERROR;
-        } else if (judge_scene(judging, i) == DRAWN_MISSING && !ended_well(end)) {
+        } else if (judge_scene(judging, i) == DRAWN_MISSING && !judging_ended_well(end)) {
             if (step->scene_count > 1) {
                 if (stopped >= TIMEOUT_LIMIT) {
                     alone.limits = hurried_limits(judging->limits.seconds);
@@ -436,7 +421,7 @@ static void say_count(struct item_result *item) {
 static void judge_counter(const struct judging *judging, struct item_result *item,
                           const char *output, const struct run_result *end) {
     bool found = find_counter(output, item, &item->counted);
-    if (!ended_well(end)) {
+    if (!judging_ended_well(end)) {
         blame(judging, item, end);
     } else if (!found) {
         result_say(&item->message, "--stats does not print it");
@@ -448,8 +433,8 @@ static void judge_counter(const struct judging *judging, struct item_result *ite
 
 /* Let the program draw a scene once more, "" for all, and count: `output` becomes what it prints,
  * with a NUL at its end. The caller frees output, and end->messages. */
-static bool run_counting(const struct judging *judging, const char *scene, struct bytes *output,
-                         struct run_result *end, struct error *error) {
+bool judging_count(const struct judging *judging, const char *scene, struct bytes *output,
+                   struct run_result *end, struct error *error) {
     struct run_directory directory;
     char path[RUN_PATH_LIMIT + 8];
     struct error ignored;
@@ -472,7 +457,7 @@ static bool judge_work(const struct judging *judging, struct item_result *item,
                        struct error *error) {
     struct bytes output;
     struct run_result end;
-    bool done = run_counting(judging, item->scene, &output, &end, error);
+    bool done = judging_count(judging, item->scene, &output, &end, error);
     if (done && end.end != RUN_INTERRUPTED) {
         judge_counter(judging, item, (const char *)output.data, &end);
     }
@@ -527,159 +512,6 @@ static bool judge_works(const struct judging *judging, struct error *error) {
 
 /* ---- One step ---- */
 
-/* The task, or the part, that is as the starter has it, of those that the item shows or needs; or
- * NULL. */
-static const char *find_to_do(const struct judging *judging, const struct credit *credit) {
-    const char *source = (const char *)judging->source.data, *found = NULL;
-    for (size_t i = 0; i < credit->task_count + credit->need_count && found == NULL; i++) {
-        const char *task = i < credit->task_count ? credit->tasks[i].text
-                                                  : credit->needs[i - credit->task_count].text;
-        found = todo_has_task(source, task) ? task : NULL;
-    }
-    return found;
-}
-
-/* A task of the item that is still to do; if its picture kept it from being judged, a task of
- * that. */
-static const char *find_item_to_do(const struct judging *judging, const struct item_result *item) {
-    const char *task = find_to_do(judging, item->credit);
-    return task == NULL && item->unjudged
-               ? find_to_do(judging, result_picture_of(judging->result, item)->credit)
-               : task;
-}
-
-/* What has failed is to do while such a task is, also where the program crashes for want of it. */
-static void set_to_do(struct item_result *item, const char *task) {
-    item->state = RESULT_TODO;
-    item->blamed = false;
-    item->message.text[0] = '\0';
-    item->looks_row = 0;
-    drop_picture(&item->difference);
-    const char *kind = strchr(task, '.') != NULL ? "task" : "part";
-    result_say(&item->message, "%s %s is to do", kind, task);
-}
-
-static void find_all_to_do(const struct judging *judging) {
-    struct step_result *result = judging->result;
-    bool was_blamed = false, is_blamed = false;
-    for (size_t i = 0; i < result->item_count; i++) {
-        struct item_result *item = &result->items[i];
-        const char *task = find_item_to_do(judging, item);
-        was_blamed |= item->blamed;
-        if (item->state >= RESULT_FAIL && item->state <= RESULT_CRASH && task != NULL) {
-            set_to_do(item, task);
-        }
-        is_blamed |= item->blamed;
-    }
-    if (was_blamed && !is_blamed) { /* that is why the program ended so */
-        result->state = RESULT_FAIL;
-        result->reason.text[0] = '\0';
-    }
-}
-
-/* What a task waits for that is written: what the first item needs that shows it and is to do. And
- * which ones are right, though they are to do. */
-static void find_waiting_tasks(const struct judging *judging) {
-    struct step_result *result = judging->result;
-    const char *source = (const char *)judging->source.data;
-    for (size_t i = 0; i < result->task_count; i++) {
-        struct task_result *task = &result->tasks[i];
-        const bool is_marked = todo_has_task(source, task->name.text);
-        bool waits = task->state == RESULT_TODO && !is_marked;
-        task->is_marked = is_marked && task->state == RESULT_PASS && task->points == task->most;
-        for (size_t k = 0; k < result->item_count && waits && task->waits_for == NULL; k++) {
-            const struct item_result *item = &result->items[k];
-            if (item->state == RESULT_TODO &&
-                task_is_among(item->credit->tasks, item->credit->task_count, task->name.text)) {
-                task->waits_for = find_item_to_do(judging, item);
-            }
-        }
-    }
-}
-
-/* Where the program ended badly over a picture, and a function does so alone: which one it is. */
-static void tell_crashing_functions(struct step_result *result) {
-    for (size_t i = 0; i < result->item_count && !result->sanitized; i++) {
-        struct item_result *item = &result->items[i];
-        const struct item_result *numbers =
-            item->blamed && item->state > RESULT_FAIL ? result_numbers_of(result, item) : NULL;
-        if (numbers != NULL) {
-            result_say(&item->message, "; %.*s() %s, see numbers %s",
-                       (int)strcspn(numbers->message.text, "("), numbers->message.text,
-                       item->state == RESULT_TIME ? "does not return" : "crashes",
-                       numbers->counter);
-        }
-    }
-}
-
-/* Say that the item looks like these mistakes, as far as what else is known allows it. */
-static void tell_of(const struct judging *judging, struct item_result *item,
-                    struct mistake_set set) {
-    const struct suspicion suspicion = {.result = judging->result,
-                                        .looks = judging->looks,
-                                        .scene_count = judging->step->scene_count,
-                                        .source = (const char *)judging->source.data,
-                                        .item = item};
-    for (size_t i = 0; i < set.count; i++) {
-        set.doubts[i] = doubt_find(&suspicion, set.list[i]);
-    }
-    mistakes_tell(item, &set);
-}
-
-/* Say what the wrong pictures look like, now that all is known. */
-static void tell_likenesses(const struct judging *judging) {
-    for (size_t i = 0; i < judging->step->scene_count; i++) {
-        struct item_result *item = &judging->result->items[i];
-        const struct looks *looks = &judging->looks[i];
-        item->only_may_be = item->looks_row > 0 && item->looks_row == looks->starter;
-        tell_of(judging, item, looks_mistakes(looks, item->looks_row));
-    }
-}
-
-/* Does it fail for its work, which no picture shows? */
-static bool is_wrong_work(const struct item_result *item) {
-    return item->rule->kind == ITEM_COUNTER && item->state == RESULT_FAIL && !item->blamed &&
-           !item->unjudged;
-}
-
-/* Is it a picture that says nothing, blank or missing for a division by 0? */
-static bool is_not_there(const struct item_result *item) {
-    return (item->state == RESULT_FAIL && item->blank) ||
-           (item->state == RESULT_CRASH && item->divided);
-}
-
-/* Say which mistakes show the same as the item, where no picture does. */
-static void tell_counted(const struct judging *judging, struct item_result *item,
-                         const char *output) {
-    struct counted yours;
-    if (counted_of(&yours, judging->result, item, output)) {
-        item->only_may_be |= item->counter[0] == '\0';
-        tell_of(judging, item, counted_find(&judging->mistakes, &yours));
-        append_line(judging->options->counted, "%s\n", yours.text);
-    }
-}
-
-/* Count all wrong items once more, with all else, and tell of each. */
-static bool count_and_tell(const struct judging *judging, struct error *error) {
-    bool done = true;
-    for (size_t i = 0; i < judging->result->item_count && done; i++) {
-        struct item_result *item = &judging->result->items[i];
-        struct bytes output = {.data = NULL};
-        struct run_result end = {.end = RUN_EXITED};
-        if (is_not_there(item)) {
-            tell_counted(judging, item, "");
-        } else if (is_wrong_work(item)) {
-            done = run_counting(judging, item->scene, &output, &end, error);
-            if (done && ended_well(&end)) {
-                tell_counted(judging, item, (const char *)output.data);
-            }
-        }
-        bytes_free(&output);
-        bytes_free(&end.messages);
-    }
-    return done;
-}
-
 /* Something is not drawn: could it have been? What the program has left is gone, so a disk that it
  * has filled itself has room again. */
 static bool had_room(const struct judging *judging, struct error *error) {
@@ -718,10 +550,8 @@ static bool draw_and_judge(struct judging *judging, struct error *error) {
     if (done && end.end != RUN_INTERRUPTED) {
         judge_end(judging, &result->state, &result->reason, &end);
         done = judge_pictures(judging, &end, error) && judge_works(judging, error);
-        find_all_to_do(judging);
-        tell_crashing_functions(result);
-        tell_likenesses(judging);
-        done = done && count_and_tell(judging, error);
+        diagnose_to_do(judging);
+        done = done && diagnose_mistakes(judging, error);
     }
     result->messages = end.messages;
     run_directory_remove(judging->directory.path);
@@ -778,7 +608,7 @@ static bool build_and_judge(struct judging *judging, struct error *error) {
         judging->limits = hurried_limits(judging->options->seconds);
     }
     if (judging->step->scene_count == 0) {
-        find_all_to_do(judging);
+        diagnose_to_do(judging);
         return done;
     }
     return done && draw_and_judge(judging, error);
@@ -816,7 +646,7 @@ void judge_step(const struct options *options, const struct checked_step *step,
         set_error(result, &error);
     }
     step_result_finish(result);
-    find_waiting_tasks(&judging);
+    diagnose_waiting(&judging);
     bool has_lists = judging.references != NULL && judging.looks != NULL;
     for (size_t i = 0; has_lists && i < step->scene_count; i++) {
         image_free(&judging.references[i]);
