@@ -20,15 +20,25 @@ static inline struct vec2 attempt_1_evenly(struct vec3 view, double distance) {
     return (struct vec2){view.x * factor, view.y * factor};
 }
 
-/* Divided by the distance from the camera. */
-static inline struct vec2 attempt_14_divided(struct vec3 view, double distance) {
-    double w = 1 - view.z / distance;
-    return (struct vec2){view.x / w, view.y / w};
+/* ---- Clipping: what is left of a face in clip space ---- */
+
+typedef void attempt_clipping(struct polygon *face);
+
+/* All of it, to be divided by any w: what is behind the camera comes to the front upside down. */
+static inline void attempt_7_unclipped(struct polygon *face) {
+    (void)face;
 }
 
-/* ---- Clipping: attempts 7 and 8 are in draw_face() of scenes.h, chosen by a number ---- */
-
-static const struct scene_value attempt_values[] = {{.name = "attempt"}, {.name = NULL}};
+/* Nothing of a face that would have to be cut: holes right in front of the camera. */
+static inline void attempt_8_left_out(struct polygon *face) {
+    const unsigned beyond = find_beyond(face->corner[0].clip) | find_beyond(face->corner[1].clip) |
+                            find_beyond(face->corner[2].clip);
+    if ((beyond & (BEYOND_NEAR | BEYOND_GUARD_BAND)) != 0) {
+        face->count = 0;
+    } else {
+        clip_face(face);
+    }
+}
 
 /* ---- Normals ---- */
 
@@ -38,14 +48,6 @@ typedef struct vec3 attempt_normal(const struct mat4 *map, struct vec3 normal);
  * when the scale differs between directions. */
 static inline struct vec3 attempt_4_same_matrix(const struct mat4 *map, struct vec3 normal) {
     return vec3_normalized(mat4_direction(map, normal));
-}
-
-/* By the transpose of the inverse. A map without an inverse keeps the normal. */
-static inline struct vec3 attempt_13_inverse_transpose(const struct mat4 *map, struct vec3 normal) {
-    struct mat4 inverse = mat4_identity();
-    mat4_inverse(*map, &inverse);
-    struct mat4 transpose = mat4_transpose(inverse);
-    return vec3_normalized(mat4_direction(&transpose, normal));
 }
 
 /* ---- The inverse of a matrix ---- */

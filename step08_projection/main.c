@@ -161,18 +161,17 @@ static struct vec3 correct_weights(struct vec3 screen, const double recip_w[3]) 
     END SOLUTION */
 }
 
-/* The image with its depth buffer, how to draw on it, and counts of what was done. */
+/* Where to draw, and what a model goes through on its way there. */
 struct canvas {
     struct image *image;
     double *depth;                 /* of each pixel, row by row from the bottom */
     struct rectangle area;         /* of the image: nothing is drawn outside */
+    struct mat4 to_clip;           /* from the model */
     struct mat4 to_screen;         /* from NDC to the area */
+    struct mat4 normals_to_world;  /* from the model */
+    struct vec3 light;             /* to the light, in the world; of length 1 */
     const struct texture *texture; /* the colour of the surface */
-    struct mat4 normals_to_world;
-    bool one_color; /* each face has the colour of its middle */
-    bool affine;    /* the weights on the screen will do: w is 1, or faces have one colour */
-    uint64_t positions_divided;
-    uint64_t faces_outside, faces_clipped, triangles_turned_away;
+    bool affine; /* the weights on the screen will do: w is 1, or faces have one colour */
 };
 
 /* The texture's colour times the intensity. */
@@ -359,6 +358,106 @@ static unsigned find_beyond(struct vec4 p) {
     double guard = guard_band * p.w;
     beyond |= fabs(p.x) <= guard && fabs(p.y) <= guard ? 0 : BEYOND_GUARD_BAND;
     return beyond;
+}
+
+/* ---- A face on its way to the screen ---- */
+
+/* A corner of a face, as the model has it. */
+struct face_corner {
+    struct vec3 position, normal;
+    struct vec2 uv;
+};
+
+/* The corners of a face in clip space. */
+static struct polygon transform_face(const struct canvas *canvas,
+                                     const struct face_corner face[3]) {
+    const struct vec4 a = mat4_point(&canvas->to_clip, face[0].position);
+    const struct vec4 b = mat4_point(&canvas->to_clip, face[1].position);
+    const struct vec4 c = mat4_point(&canvas->to_clip, face[2].position);
+    return (struct polygon){.corner = {{a, {1, 0, 0}}, {b, {0, 1, 0}}, {c, {0, 0, 1}}}, .count = 3};
+}
+
+/* Keep what the camera may see of a face: nothing if all of it is beyond one side of the view. */
+static void clip_face(struct polygon *face) {
+    const unsigned a = find_beyond(face->corner[0].clip), b = find_beyond(face->corner[1].clip);
+    const unsigned c = find_beyond(face->corner[2].clip);
+    const bool crosses = ((a | b | c) & (BEYOND_NEAR | BEYOND_GUARD_BAND)) != 0;
+    if ((a & b & c & ~(unsigned)BEYOND_GUARD_BAND) != 0) {
+        face->count = 0;
+    }
+    for (int plane = 0; crosses && plane < CLIP_PLANES && face->count > 0; plane++) {
+        *face = clip_at_plane(face, plane);
+    }
+}
+
+/* The intensity of lesson 7, with the normal taken to the world. */
+static double light_on(const struct canvas *canvas, struct vec3 model_normal) {
+    struct vec3 normal = vec3_normalized(mat4_direction(&canvas->normals_to_world, model_normal));
+    double cosine = vec3_dot(normal, canvas->light);
+    return cosine > 0 ? cosine : 0;
+}
+
+/* Draw what clipping left of a face, as a fan of triangles around its first corner; nothing if a
+ * corner has no place on the screen. A triangle whose corners run clockwise there shows its inside:
+ * a closed body always has something else in front of it. */
+static void draw_polygon(const struct canvas *canvas, const struct face_corner face[3],
+                         const struct polygon *left) {
+    const size_t count = left->count;
+    struct vertex v[POLYGON_LIMIT];
+    const double light[3] = {light_on(canvas, face[0].normal), light_on(canvas, face[1].normal),
+                             light_on(canvas, face[2].normal)};
+    for (size_t i = 0; i < count; i++) {
+        const struct vec3 weight = left->corner[i].weight;
+        if (!place(left->corner[i].clip, &canvas->to_screen, &v[i])) {
+            return;
+        }
+        v[i].intensity = interpolate(weight, light[0], light[1], light[2]);
+        v[i].uv = vec2_interpolate(weight, face[0].uv, face[1].uv, face[2].uv);
+    }
+    for (size_t i = 2; i < count; i++) {
+        const struct vertex corners[3] = {v[0], v[i - 1], v[i]};
+        struct edges edges;
+        if (edges_setup(&edges, v[0].position, v[i - 1].position, v[i].position,
+                        canvas->image->width, canvas->image->height) &&
+            !edges.clockwise) {
+            triangle(canvas, &edges, corners);
+        }
+    }
+}
+
+static void draw_face(const struct canvas *canvas, const struct face_corner face[3]) {
+    struct polygon polygon = transform_face(canvas, face);
+    clip_face(&polygon);
+    if (polygon.count >= 3) {
+        draw_polygon(canvas, face, &polygon);
+    }
+}
+
+/* ---- A model ---- */
+
+static void fetch_face(const struct model *model, size_t face, struct face_corner corner[3]) {
+    for (size_t i = 0; i < 3; i++) {
+        corner[i] = (struct face_corner){model_position(model, face, i),
+                                         model_normal(model, face, i), model_uv(model, face, i)};
+    }
+}
+
+/* Draw all faces; as facets, each has the colour of its middle. */
+static void draw_model(struct drawing *drawing, struct canvas *canvas, bool facets) {
+    for (size_t i = 0; drawing_take_part(drawing, i); i++) {
+        const struct model *model = drawing->model;
+        canvas->texture = drawing->diffuse;
+        for (size_t face = 0; face < model->face_count; face++) {
+            struct face_corner c[3];
+            fetch_face(model, face, c);
+            if (facets) {
+                const struct vec3 third = {1.0 / 3, 1.0 / 3, 1.0 / 3};
+                c[0].normal = c[1].normal = c[2].normal = model_face_normal(model, face);
+                c[0].uv = c[1].uv = c[2].uv = vec2_interpolate(third, c[0].uv, c[1].uv, c[2].uv);
+            }
+            draw_face(canvas, c);
+        }
+    }
 }
 
 #include "scenes.h"

@@ -67,7 +67,6 @@ struct found {
 
 static struct {
     struct model model;
-    struct state state; /* of the lesson's program */
     struct drawing drawing;
     double depth[SMALL_SIDE * SMALL_SIDE];
     struct image small;
@@ -307,12 +306,27 @@ static void make_matrices(void) {
 
 /* ---- Clipping: scene closeup ---- */
 
+enum clipping { UNCLIPPED, LEFT_OUT, CUT };
+
+static attempt_clipping *const clippings[] = {
+    [UNCLIPPED] = attempt_7_unclipped,
+    [LEFT_OUT] = attempt_8_left_out,
+    [CUT] = clip_face,
+};
+
 static void run_clip(struct bench_choice choice) {
-    struct canvas canvas = make_canvas(&work.drawing, &work.small, whole_image(&work.small));
+    const struct canvas canvas =
+        make_canvas(&work.drawing, &work.small, whole_image(&work.small), work.views[0][1].to_clip);
     depth_clear(work.depth, (size_t)SMALL_SIDE * SMALL_SIDE);
-    work.drawing.counter_count = 0;
-    work.drawing.value[0] = choice.way;
-    draw_model(&work.drawing, &canvas, &work.views[0][1].to_clip);
+    for (size_t face = 0; face < work.model.face_count; face++) {
+        struct face_corner corner[3];
+        fetch_face(&work.model, face, corner);
+        struct polygon polygon = transform_face(&canvas, corner);
+        clippings[choice.way](&polygon);
+        if (polygon.count > 0) {
+            draw_polygon(&canvas, corner, &polygon);
+        }
+    }
 }
 
 /* A face as rays see it: the ray through ndc (x, y) meets its plane at the sum of weight[i] times
@@ -418,11 +432,8 @@ static bool setup(struct error *error) {
         .diffuse = model_texture(model, MODEL_DIFFUSE, error),
         .depth = work.depth,
         .light = {1, 1, 2},
-        .skip = true,
-        .values = attempt_values,
-        .state = &work.state,
     };
-    if (work.drawing.diffuse == NULL || !prepare(&work.drawing, SIDE, SIDE, error) ||
+    if (work.drawing.diffuse == NULL ||
         !image_create(&work.small, SMALL_SIDE, SMALL_SIDE, IMAGE_BGR, error)) {
         return false;
     }

@@ -59,8 +59,6 @@ struct scenery {
     float uv[SOUP_CORNERS][2], normal[SOUP_CORNERS][3];
     struct face faces[SOUP_FACES];
     struct model model;
-    struct position positions[SOUP_CORNERS];
-    struct state state;
     uint32_t texels[2 * SOUP_FACES + 2];
     struct texture texture;
     uint8_t pixels[3 * SOUP_PIXELS];
@@ -80,7 +78,7 @@ static bool shows_front(const struct soup_polygon *polygon) {
 
 /* Of faces that show their back nothing is to be seen. */
 static void scenery_make(struct scenery *s, const struct soup_case *c) {
-    *s = (struct scenery){.state = {.positions = s->positions}};
+    *s = (struct scenery){.image = {0}};
     soup_make(&s->soup, c->seed, (enum soup_kind)c->kind);
     for (size_t i = 0; i < SOUP_FACES; i++) {
         if (!shows_front(&s->soup.polygons[i])) {
@@ -127,15 +125,23 @@ static void look_like_values(struct scenery *s, enum look look) {
     }
 }
 
+/* All faces, or without `skip` also those that are beyond a side, cut at every plane. */
 static void draw_scenery(struct scenery *s, bool skip) {
-    struct drawing drawing = {.model = &s->model,
-                              .diffuse = &s->texture,
-                              .depth = s->depth,
-                              .light = {0, 0, 7},
-                              .skip = skip,
-                              .state = &s->state};
-    struct canvas canvas = make_canvas(&drawing, &s->image, s->soup.viewport);
-    draw_model(&drawing, &canvas, &s->soup.to_clip);
+    const struct drawing drawing = {.diffuse = &s->texture, .depth = s->depth, .light = {0, 0, 7}};
+    const struct canvas canvas =
+        make_canvas(&drawing, &s->image, s->soup.viewport, s->soup.to_clip);
+    for (size_t face = 0; face < s->model.face_count; face++) {
+        struct face_corner corner[3];
+        fetch_face(&s->model, face, corner);
+        struct polygon polygon = transform_face(&canvas, corner);
+        if (skip) {
+            clip_face(&polygon);
+        }
+        for (int plane = 0; !skip && plane < CLIP_PLANES; plane++) {
+            polygon = clip_at_plane(&polygon, plane);
+        }
+        draw_polygon(&canvas, corner, &polygon);
+    }
 }
 
 static bool face_is_right(const struct scenery *s, int x, int y, struct tally *tally) {
