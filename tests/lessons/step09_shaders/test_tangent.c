@@ -6,7 +6,7 @@
 
 /* The picture of the pipeline, or of simple_draw(). */
 static struct image draw(struct drawing drawing, size_t simple) {
-    static const struct simple_cell mapped = {&simple_normal_mapped, CULL_BACK, 1, {0, 0, 0}};
+    const struct simple_cell mapped = {&simple_normal_mapped, CULL_BACK, 1, drawing.eye};
     const struct simple_cell cells[4] = {mapped, mapped, mapped, mapped};
     struct image image = new_image(BOARD_SIZE, BOARD_SIZE, IMAGE_BGR);
     struct pipeline pipeline = {0};
