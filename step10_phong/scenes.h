@@ -1,15 +1,11 @@
 /*
- * Lesson 10, the given part: its scenes and the program.
+ * Lesson 10, the given part: the pictures of README.md, and the program.
  *
- * A scene is a square of cells, and in each cell the model as one shader draws it, with a material.
+ * A picture is a grid of cells, and in each cell the model as one shader draws it, with a material.
  */
-#include "extra_probe.h"
-#include "extra_tangent.h"
+#include "extra_materials.h"
 
-#include <stdlib.h>
-#include <string.h>
-
-/* ---- Drawing ---- */
+/* ---- Cells ---- */
 
 static const struct material plain_material = {0.1, 1, 0.5, 10, {255, 128, 255}};
 static const struct material textured_material = {0.1, 1, 1, 10, {255, 255, 255}};
@@ -32,62 +28,6 @@ static struct uniforms make_uniforms(const struct drawing *drawing, double pixel
     };
 }
 
-/* The shader; for a model without normal map one that draws by the mesh's normals, and for a map in
- * tangent space one that reads it so. */
-static const struct shader *drawn_by(const struct drawing *drawing, const struct shader *shader) {
-    if (drawing->normal_map != NULL && drawing->normal_map->tangent_space) {
-        return in_tangent_space(shader);
-    }
-    if (drawing->normal_map != NULL || shader == &plain) {
-        return shader;
-    }
-    return shader == &mapped ? &plain : &textured;
-}
-
-/* ---- Materials whose ambient light has colours of its own: see MORE.md ---- */
-
-/* What a shader of the lesson reads, to draw without ambient light, and the light on top of it. */
-struct ambient_uniforms {
-    struct uniforms without;
-    const struct shader *shader;
-    const struct texture *colors;
-    double weight;
-};
-
-static void ambient_vertex(const void *uniforms, size_t face, size_t corner, double *varyings) {
-    const struct ambient_uniforms *a = uniforms;
-    memset(varyings, 0, (5 + TANGENT_VARYINGS) * sizeof *varyings);
-    a->shader->vertex(&a->without, face, corner, varyings);
-}
-
-static lanes_mask ambient_fragment(const void *uniforms, const lanes *varyings,
-                                   lanes_texel *color) {
-    const struct ambient_uniforms *a = uniforms;
-    const lanes weight = lanes_all((real)a->weight);
-    struct lanes3 light = texture_lanes(a->colors, uv_of(varyings), a->without.diffuse_level);
-    a->shader->fragment(&a->without, varyings, color);
-    *color = lanes_rgb(lanes_from_int((lanes_int)(*color >> 16 & 255)) + weight * light.x,
-                       lanes_from_int((lanes_int)(*color >> 8 & 255)) + weight * light.y,
-                       lanes_from_int((lanes_int)(*color & 255)) + weight * light.z);
-    return lanes_all_set();
-}
-
-static const struct shader own_ambient = {
-    .varying_count = 5 + TANGENT_VARYINGS, .vertex = ambient_vertex, .fragment = ambient_fragment};
-
-/* Record a call with a shader of the lesson, as the drawing's material and maps want it. */
-static bool draw_part(struct drawing *drawing, const struct draw_call *call,
-                      const struct shader *shader, const struct uniforms *u, struct error *error) {
-    const struct shader *drawn = drawn_by(drawing, shader);
-    if (drawing->ambient == NULL || shader == &plain || shader == &mapped) {
-        return pipeline_draw(drawing->state, call, drawn, u, sizeof *u, error);
-    }
-    struct ambient_uniforms own = {*u, drawn, drawing->ambient, u->material.ambient};
-    own.without.material.ambient = 0;
-    return pipeline_draw(drawing->state, call, &own_ambient, &own, sizeof own, error);
-}
-
-/* One cell of a picture. */
 struct cell {
     const struct shader *shader;
     struct material material;
@@ -95,39 +35,25 @@ struct cell {
     const struct texture *specular; /* NULL: the drawing's */
 };
 
-/* What a part's own material says, instead of the lesson's. */
-static struct material own_material(const struct drawing *drawing, struct material material) {
-    const double most = 200;
-    if (drawing->parts != NULL && drawing->specular_weight >= 0) {
-        material.specular *= drawing->specular_weight;
-    }
-    if (drawing->parts != NULL && drawing->power > 0) {
-        material.power = (int)fmax(1, fmin(drawing->power, most));
-    }
-    return material;
-}
-
-/* Record the drawing's model, or a part of it, as one cell has it. */
-static bool record_cell(struct drawing *drawing, const struct image *image, const struct cell *cell,
-                        struct rectangle place, double zoom, struct error *error) {
-    struct draw_call call = pipeline_call(drawing, place, zoom, CULL_BACK);
-    bool textured_cell = cell->shader != &plain && cell->shader != &mapped;
-    struct uniforms u =
-        make_uniforms(drawing, zoom * place.width,
-                      textured_cell ? own_material(drawing, cell->material) : cell->material);
-    if (cell->model != NULL) {
-        call.model = u.model = cell->model;
+/* The same for the drawing's model in a cell, or for a part of it. */
+static struct uniforms cell_uniforms(const struct drawing *drawing, const struct cell *cell,
+                                     double pixels) {
+    struct uniforms u = make_uniforms(drawing, pixels, cell->material);
+    if (cell->shader != &plain && cell->shader != &mapped) {
+        u.material = own_material(drawing, cell->material);
     }
     if (cell->shader == &weight_mapped || cell->shader == &power_mapped) {
         u.normal_level += 1; /* three different levels: exchanged, they show */
         u.specular_level += 2;
     }
+    if (cell->model != NULL) {
+        u.model = cell->model;
+    }
     if (cell->specular != NULL) {
         u.specular = cell->specular;
         u.specular_level = 0;
     }
-    note_light(drawing, image, &call, &u);
-    return draw_part(drawing, &call, cell->shader, &u, error);
+    return u;
 }
 
 /* Draw rows of cells, the first one top left. */
@@ -138,7 +64,10 @@ static bool draw_cells(struct drawing *drawing, struct image *image, const struc
     for (int i = 0; done && i < columns * rows; i++) {
         struct rectangle place = grid_cell(image->width, image->height, columns, rows, i);
         for (size_t part = 0; drawing_take_part(drawing, part); part++) {
-            done = done && record_cell(drawing, image, &cells[i], place, zoom, error);
+            struct draw_call call = pipeline_call(drawing, place, zoom, CULL_BACK);
+            struct uniforms u = cell_uniforms(drawing, &cells[i], zoom * place.width);
+            call.model = u.model;
+            done = done && draw_part(drawing, &call, cells[i].shader, &u, error);
         }
     }
     return pipeline_end(drawing, done, image, error);
@@ -146,105 +75,81 @@ static bool draw_cells(struct drawing *drawing, struct image *image, const struc
 
 /* ---- Scenes ---- */
 
-/* The model with normals a quarter, once and 4 times as long: a file may give them so. (Products
- * with these are exact: normalised, each is what it was.) Free its normals. */
-static bool stretch_normals(struct model *stretched, const struct model *model,
-                            struct error *error) {
-    static const float factor[] = {0.25f, 1, 4};
-    *stretched = *model;
-    stretched->normals = malloc(model->normal_count * sizeof *stretched->normals);
-    if (stretched->normals == NULL) {
-        return error_out_of_memory(error);
-    }
-    for (size_t i = 0; i < model->normal_count; i++) {
-        for (size_t k = 0; k < 3; k++) {
-            stretched->normals[i][k] = model->normals[i][k] * factor[i % 3];
-        }
-    }
-    return true;
+static struct cell plain_cell(int power) {
+    struct cell cell = {&plain, plain_material, NULL, NULL};
+    cell.material.power = power;
+    return cell;
 }
 
-/* Ambient and diffuse light: nothing shines. */
-static bool draw_matt(struct drawing *drawing, struct image *image, struct error *error) {
-    struct model stretched;
-    struct cell cell = {&plain, plain_material, &stretched, NULL};
+/* Ambient and diffuse light. Nothing shines, and integer_power() is not needed yet. */
+static struct cell matt_cell(void) {
+    struct cell cell = plain_cell(-1);
     cell.material.specular = 0;
-    cell.material.power = -1; /* so that integer_power() is not needed yet */
-    if (!stretch_normals(&stretched, drawing->model, error)) {
-        return false;
-    }
-    bool done = draw_cells(drawing, image, &cell, 1, 1, 0.8, error);
-    free(stretched.normals);
-    return done;
+    return cell;
+}
+
+static bool draw_matt(struct drawing *drawing, struct image *image, struct error *error) {
+    const struct cell cell = matt_cell();
+    return draw_cells(drawing, image, &cell, 1, 1, 0.8, error);
 }
 
 /* The three parts alone, and their sum. */
-static bool draw_parts(struct drawing *drawing, struct image *image, struct error *error) {
-    struct cell cells[4];
-    for (int i = 0; i < 4; i++) {
-        cells[i] = (struct cell){&plain, plain_material, NULL, NULL};
-    }
+static void make_parts(struct cell cells[4]) {
+    cells[0] = cells[1] = cells[2] = cells[3] = plain_cell(10);
     cells[0].material.diffuse = cells[0].material.specular = 0;
     cells[1].material.ambient = cells[1].material.specular = 0;
     cells[2].material.ambient = cells[2].material.diffuse = 0;
-    return draw_cells(drawing, image, cells, 2, 2, 0.8, error);
 }
 
-/* A cell for each of these powers. */
-static void make_power_cells(struct cell *cells, const int *powers, int count) {
-    for (int i = 0; i < count; i++) {
-        cells[i] = (struct cell){&plain, plain_material, NULL, NULL};
-        cells[i].material.power = powers[i];
-    }
+static bool draw_parts(struct drawing *drawing, struct image *image, struct error *error) {
+    struct cell cells[4];
+    make_parts(cells);
+    return draw_cells(drawing, image, cells, 2, 2, 0.8, error);
 }
 
 /* Four powers of one light, which comes from the side and from behind. */
+static void make_shine(struct cell cells[4]) {
+    static const int powers[] = {0, 2, 40, 80};
+    for (int i = 0; i < 4; i++) {
+        cells[i] = plain_cell(powers[i]);
+    }
+}
+
 static bool draw_shine(struct drawing *drawing, struct image *image, struct error *error) {
     struct cell cells[4];
-    make_power_cells(cells, (const int[]){0, 2, 40, 80}, 4);
+    make_shine(cells);
     return draw_cells(drawing, image, cells, 2, 2, 0.8, error);
 }
 
-static const struct scene_value light_values[] = {
-    {"shader", "0 all four, 1 plain, 2 normal map, 3 texture, 4 both", 0, 4, 1, 0},
-    {"ambient", "weight of the ambient light", 0, 1, 0.01, 0.1},
-    {"diffuse", "weight of the diffuse light", 0, 2, 0.01, 1},
-    {"specular", "times as much specular light", 0, 3, 0.01, 1},
-    {"power", "power of the specular light", 0, 200, 1, 10},
-    {.name = NULL},
-};
-
-/* The material, with the drawing's numbers for it. */
-static struct material chosen_material(const struct drawing *drawing, struct material material) {
-    material.ambient = drawing_value(drawing, "ambient");
-    material.diffuse = drawing_value(drawing, "diffuse");
-    material.specular *= drawing_value(drawing, "specular");
-    material.power = (int)drawing_value(drawing, "power");
-    return material;
+/* Phong alone, with the normal map, with the texture, and with both. */
+static void make_four(struct cell cells[4]) {
+    cells[0] = (struct cell){&plain, plain_material, NULL, NULL};
+    cells[1] = (struct cell){&mapped, plain_material, NULL, NULL};
+    cells[2] = (struct cell){&textured, textured_material, NULL, NULL};
+    cells[3] = (struct cell){&full, textured_material, NULL, NULL};
 }
 
-/* Phong alone, with the normal map, with the texture, and with both. */
 static bool draw_four(struct drawing *drawing, struct image *image, struct error *error) {
-    const struct material white = chosen_material(drawing, plain_material);
-    const struct material colored = chosen_material(drawing, textured_material);
-    const struct cell cells[] = {{&plain, white, NULL, NULL},
-                                 {&mapped, white, NULL, NULL},
-                                 {&textured, colored, NULL, NULL},
-                                 {&full, colored, NULL, NULL}};
-    const int one = (int)drawing_value(drawing, "shader");
-    return one > 0 ? draw_cells(drawing, image, &cells[one - 1], 1, 1, 0.8, error)
-                   : draw_cells(drawing, image, cells, 2, 2, 0.8, error); /* 0.4 of the picture */
+    struct cell cells[4];
+    make_four(cells);
+    return draw_cells(drawing, image, cells, 2, 2, 0.8, error);
 }
 
 /* Powers 0 to 10 and three large ones; then the textured head with the weight, and with the power,
  * from the specular map. */
-static bool draw_powers(struct drawing *drawing, struct image *image, struct error *error) {
+static void make_powers(struct cell cells[16]) {
     static const int powers[] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 20, 40, 80};
-    struct cell cells[16];
-    make_power_cells(cells, powers, 14);
+    for (int i = 0; i < 14; i++) {
+        cells[i] = plain_cell(powers[i]);
+    }
     cells[14] = (struct cell){&weight_mapped, textured_material, NULL, NULL};
     cells[14].material.specular = 1.5; /* times what the map says */
     cells[15] = (struct cell){&power_mapped, textured_material, NULL, NULL};
+}
+
+static bool draw_powers(struct drawing *drawing, struct image *image, struct error *error) {
+    struct cell cells[16];
+    make_powers(cells);
     return draw_cells(drawing, image, cells, 4, 4, 0.8, error);
 }
 
@@ -278,13 +183,18 @@ static const struct model *near_board(void) {
 
 /* A shoulder, so near that its faces are large: with a large power, with the largest power that a
  * map can say, and with the least value that says 2. On the right a board that is nearer still. */
+static void make_near(struct cell cells[4], const struct texture *map_of_255,
+                      const struct texture *map_of_8) {
+    cells[0] = plain_cell(200);
+    cells[1] = (struct cell){&power_mapped, textured_material, NULL, map_of_255};
+    cells[2] = (struct cell){&power_mapped, textured_material, NULL, map_of_8};
+    cells[3] = (struct cell){&plain, plain_material, near_board(), NULL};
+}
+
 static bool draw_large_faces(struct drawing *drawing, struct image *image, struct error *error) {
     struct texture map_of_255 = {0}, map_of_8 = {0};
-    struct cell cells[] = {{&plain, plain_material, NULL, NULL},
-                           {&power_mapped, textured_material, NULL, &map_of_255},
-                           {&power_mapped, textured_material, NULL, &map_of_8},
-                           {&plain, plain_material, near_board(), NULL}};
-    cells[0].material.power = 200;
+    struct cell cells[4];
+    make_near(cells, &map_of_255, &map_of_8);
     bool done = make_map(&map_of_255, 255, error) && make_map(&map_of_8, 8, error) &&
                 draw_cells(drawing, image, cells, 4, 1, 2.5, error);
     texture_free(&map_of_255);
@@ -294,14 +204,12 @@ static bool draw_large_faces(struct drawing *drawing, struct image *image, struc
 
 enum { TURN_FRAMES = 100 };
 
-/* The light goes once around the head. For each frame it is asked for another place first: it must
- * not count how often it is asked. */
+/* The light goes once around the head. */
 static bool draw_turn(struct drawing *drawing, struct image *image, struct error *error) {
-    struct rectangle whole = grid_cell(image->width, image->height, 1, 1, 0);
+    const struct rectangle whole = grid_cell(image->width, image->height, 1, 1, 0);
+    const struct vec3 to_light = turning_light((double)drawing->frame / TURN_FRAMES);
     bool done = true;
     pipeline_begin(drawing);
-    (void)turning_light(0.5);
-    struct vec3 to_light = turning_light((double)drawing->frame / TURN_FRAMES);
     for (size_t part = 0; drawing_take_part(drawing, part); part++) {
         struct draw_call call = pipeline_call(drawing, whole, 0.85, CULL_BACK);
         struct uniforms u =
@@ -312,110 +220,60 @@ static bool draw_turn(struct drawing *drawing, struct image *image, struct error
     return pipeline_end(drawing, done, image, error);
 }
 
-/* ---- Beyond the lesson: see BEYOND.md ---- */
-
+/* Beyond the lesson: see BEYOND.md. */
 #include "extra_samples.h"
 #include "extra_shadow.h"
 
 /* ---- The program ---- */
 
+enum {
+    MESH = NEEDS_MODEL | NEEDS_NORMALS,
+    MAPPED_MODEL = NEEDS_MODEL | NEEDS_DIFFUSE | NEEDS_NORMAL_MAP,
+    MAPPED_MESH = MAPPED_MODEL | NEEDS_NORMALS,
+};
+
 static const struct scene scenes[] = {
     {
         .name = "matt",
-        .needs = NEEDS_MODEL | NEEDS_NORMALS,
+        .needs = MESH,
         .width = 600,
         .height = 500,
         .light = {-1, 0.5, 0.4}, /* from the side: a part of what is seen is dark */
         .draw = draw_matt,
     },
-    {.name = "parts", .needs = NEEDS_MODEL | NEEDS_NORMALS, .draw = draw_parts},
-    {
-        .name = "shine",
-        .needs = NEEDS_MODEL | NEEDS_NORMALS,
-        .light = {-1, 0.6, -0.2}, /* what is turned away from it must not shine */
-        .draw = draw_shine,
-    },
-    {
-        .name = "four",
-        .needs = NEEDS_MODEL | NEEDS_NORMALS | NEEDS_DIFFUSE | NEEDS_NORMAL_MAP,
-        .values = light_values,
-        .draw = draw_four,
-    },
-    {
-        .name = "behind",
-        .needs = NEEDS_MODEL | NEEDS_NORMALS | NEEDS_DIFFUSE | NEEDS_NORMAL_MAP,
-        .light = {-2, 2, -3},
-        .values = light_values,
-        .draw = draw_four,
-    },
-    {
-        .name = "powers",
-        .needs = NEEDS_MODEL | NEEDS_NORMALS | NEEDS_DIFFUSE | NEEDS_NORMAL_MAP | NEEDS_SPECULAR,
-        .draw = draw_powers,
-    },
+    {.name = "parts", .needs = MESH, .draw = draw_parts},
+    /* What is turned away from this light must not shine. */
+    {.name = "shine", .needs = MESH, .light = {-1, 0.6, -0.2}, .draw = draw_shine},
+    {.name = "four", .needs = MAPPED_MESH, .draw = draw_four},
+    {.name = "behind", .needs = MAPPED_MESH, .light = {-2, 2, -3}, .draw = draw_four},
+    {.name = "powers", .needs = MAPPED_MESH | NEEDS_SPECULAR, .draw = draw_powers},
     {
         .name = "near",
         .detail = true,
-        .needs = NEEDS_MODEL | NEEDS_NORMALS | NEEDS_DIFFUSE | NEEDS_NORMAL_MAP,
+        .needs = MAPPED_MESH,
         .width = 1600,
         .height = 400,
         .eye = {0.5, -0.25, 0.35},
         .center = {0.42, -0.5, 0},
-        .light = {1, 1, 1},
         .draw = draw_large_faces,
     },
     {
         .name = "turn",
-        .needs = NEEDS_MODEL | NEEDS_DIFFUSE | NEEDS_NORMAL_MAP | NEEDS_SPECULAR,
+        .needs = MAPPED_MODEL | NEEDS_SPECULAR,
         .frames = TURN_FRAMES,
         .draw = draw_turn,
     },
     {
-        .name = "wide",
-        .detail = true,
-        .needs = NEEDS_MODEL | NEEDS_NORMALS | NEEDS_DIFFUSE | NEEDS_NORMAL_MAP,
-        .width = 203,
-        .height = 67,
-        .values = light_values,
-        .draw = draw_four,
-    },
-    {
-        .name = "high",
-        .detail = true,
-        .needs = NEEDS_MODEL | NEEDS_NORMALS | NEEDS_DIFFUSE | NEEDS_NORMAL_MAP,
-        .width = 61,
-        .height = 181,
-        .values = light_values,
-        .draw = draw_four,
-    },
-    {
-        .name = "small",
-        .detail = true,
-        .needs = NEEDS_MODEL | NEEDS_NORMALS,
-        .width = 23,
-        .height = 13,
-        .light = {-1, 0.5, 0.4},
-        .draw = draw_matt,
-    },
-    {
-        .name = "one_pixel",
-        .detail = true,
-        .needs = NEEDS_MODEL | NEEDS_NORMALS,
-        .width = 1,
-        .height = 1,
-        .draw = draw_matt,
-    },
-    {
         .name = "shadow",
         .extra = true,
-        .needs = NEEDS_MODEL | NEEDS_DIFFUSE | NEEDS_NORMAL_MAP,
+        .needs = MAPPED_MODEL,
         .light = {-1, 1, 1}, /* the head is between it and a shoulder */
         .draw = draw_shadow,
     },
     {
         .name = "samples",
         .extra = true,
-        .needs = NEEDS_MODEL | NEEDS_DIFFUSE | NEEDS_NORMAL_MAP | NEEDS_SPECULAR,
+        .needs = MAPPED_MODEL | NEEDS_SPECULAR,
         .draw = draw_samples,
     },
 };

@@ -1,10 +1,13 @@
-/* Lesson 10: what `make live` says of the light at the pixel under the mouse. */
+/*
+ * Lesson 10 under the mouse: what is said of the light at a pixel. It contains answers of its
+ * tasks, so that no hand-out has it.
+ */
 
 /* The weights of a face's corners at the probed pixel, where it covers that and is nearer than
  * `depth`, which becomes its own. */
-static bool probe_face(const struct drawing *drawing, const struct image *image,
-                       const struct draw_call *call, size_t face, double *depth,
-                       struct vec3 *weight) {
+static bool told_face(const struct drawing *drawing, const struct image *image,
+                      const struct draw_call *call, size_t face, double *depth,
+                      struct vec3 *weight) {
     struct fixed2 p[3];
     double z[3], recip_w[3];
     struct edges edges;
@@ -34,13 +37,13 @@ static bool probe_face(const struct drawing *drawing, const struct image *image,
 }
 
 /* The vectors of Phong's light at the probed pixel, with the normals of the corners. */
-static void note_light(struct drawing *drawing, const struct image *image,
-                       const struct draw_call *call, const struct uniforms *u) {
+static void told_note(struct drawing *drawing, const struct image *image,
+                      const struct draw_call *call, const struct uniforms *u) {
     const struct model *m = call->model;
     struct vec3 w, n = {0, 0, 0}, place = {0, 0, 0};
     double depth = -INFINITY;
     for (size_t face = 0; drawing->probed && face < m->face_count; face++) {
-        if (probe_face(drawing, image, call, face, &depth, &w)) {
+        if (told_face(drawing, image, call, face, &depth, &w)) {
             n = vec3_normalized(vec3_interpolate(
                 w, model_normal(m, face, 0), model_normal(m, face, 1), model_normal(m, face, 2)));
             place = vec3_interpolate(w, model_position(m, face, 0), model_position(m, face, 1),
