@@ -72,10 +72,10 @@ static bool draw_shadow_map(struct pipeline *light, const struct draw_call *call
 static void shadow_vertex(const void *uniforms, size_t face, size_t corner, double *varyings) {
     const struct shadow_uniforms *u = uniforms;
     struct vec4 place = mat4_point(&u->to_map, model_position(u->lit.model, face, corner));
-    vertex(&u->lit, face, corner, varyings);
-    varyings[5] = place.x;
-    varyings[6] = place.y;
-    varyings[7] = place.z;
+    vertex_with_normal(&u->lit, face, corner, varyings);
+    varyings[8] = place.x;
+    varyings[9] = place.y;
+    varyings[10] = place.z;
 }
 
 /* The depths in the map at these places. Beyond its border is what is at it. */
@@ -97,14 +97,15 @@ static lanes map_depth(const struct shadow_uniforms *u, lanes x, lanes y) {
 
 /* Is something between these places and the light? */
 static lanes_mask in_shadow(const struct shadow_uniforms *u, const lanes *varyings) {
-    return map_depth(u, varyings[5], varyings[6]) > varyings[7] + (real)u->bias;
+    return map_depth(u, varyings[8], varyings[9]) > varyings[10] + (real)u->bias;
 }
 
 /* A place in the shadow gets what one gets that is turned away from the light: the ambient part. */
 static lanes_mask shadow_fragment(const void *uniforms, const lanes *varyings, lanes_texel *color) {
     const struct shadow_uniforms *u = uniforms;
     struct surface surface = textured_surface(&u->lit, varyings);
-    struct lanes3 normal = mapped_normal(&u->lit, varyings);
+    struct lanes3 normal =
+        u->lit.normal_map != NULL ? mapped_normal(&u->lit, varyings) : mesh_normal(varyings);
     struct lanes3 away = lanes3_all(vec3_scale(u->lit.to_light, -1));
     lanes_mask shadow = in_shadow(u, varyings);
     surface.normal.x = lanes_select(shadow, away.x, normal.x);
@@ -114,7 +115,7 @@ static lanes_mask shadow_fragment(const void *uniforms, const lanes *varyings, l
     return lanes_all_set();
 }
 
-SHADER(shadowed, .varying_count = 8, .vertex = shadow_vertex, .fragment = shadow_fragment);
+SHADER(shadowed, .varying_count = 11, .vertex = shadow_vertex, .fragment = shadow_fragment);
 
 /* Both passes. `side` is the map's, and the shader's uniforms are a struct shadow_uniforms. */
 static bool draw_with_map(struct drawing *drawing, struct image *image, int side, double bias,
@@ -127,6 +128,9 @@ static bool draw_with_map(struct drawing *drawing, struct image *image, int side
         .side = side,
         .bias = bias,
     };
+    if (u.lit.normal_map != NULL && u.lit.normal_map->tangent_space) {
+        u.lit.normal_map = NULL; /* the normals of the mesh, as where there is no map */
+    }
     struct draw_call from_light = light_call(drawing->model, u.lit.to_light, side);
     bool done = draw_shadow_map(&light, &from_light, error);
     u.to_map = mat4_mul(clip_to_map(side), from_light.to_clip);
@@ -138,8 +142,5 @@ static bool draw_with_map(struct drawing *drawing, struct image *image, int side
 }
 
 static bool draw_shadow(struct drawing *drawing, struct image *image, struct error *error) {
-    if (drawing->normal_map == NULL || drawing->normal_map->tangent_space) {
-        return error_set(error, "the scene shadow is drawn by a normal map in object space alone");
-    }
     return draw_with_map(drawing, image, 1024, 0.01, &shadowed, error);
 }

@@ -266,7 +266,7 @@ static const struct scene scenes[] = {
     {
         .name = "shadow",
         .extra = true,
-        .needs = MAPPED_MODEL,
+        .needs = MAPPED_MESH,
         .light = {-1, 1, 1}, /* the head is between it and a shoulder */
         .draw = draw_shadow,
     },
