@@ -45,7 +45,8 @@ static double median(double *values, size_t value_count) {
 static bool is_chosen(const struct options *options, const struct scene *scene) {
     bool of_another = options->input_count > 0 && scene->detail;
     return options->only != NULL ? options->only == scene
-                                 : options->all || (!scene->extra && !of_another);
+           : options->all        ? !scene->extra
+                                 : !scene->extra && !scene->trial && !of_another;
 }
 
 static bool same_point(struct vec3 a, struct vec3 b) {

@@ -46,8 +46,7 @@ int MORE_MAIN(int argc, char **argv) {
 }
 
 /* Run the program with these scenes, too. One that has the name of a scene of the lesson takes its
- * place, and what it leaves at zero is as there. The others are drawn when --only names them, or
- * all. */
+ * place: its values and what draws it. The others are trials: drawn when --only names them, or all. */
 static inline int main_with(const struct program *program, const struct scene *more, size_t count,
                             int argc, char **argv) {
     struct program whole = *program;
@@ -66,7 +65,7 @@ static inline int main_with(const struct program *program, const struct scene *m
         if (place == program->scene_count) {
             scene = &joined[whole.scene_count++];
             *scene = more[i];
-            scene->extra = true;
+            scene->trial = true;
         } else {
             scene->values = more[i].values;
             scene->draw = more[i].draw;

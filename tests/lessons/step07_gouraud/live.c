@@ -54,6 +54,7 @@ static const struct scene live[] = {
     {.name = "gouraud", .values = live_gouraud_values, .draw = live_gouraud},
     {
         .name = "sphere",
+        .extra = true,
         .needs = NEEDS_DEPTH,
         .light = {1, 2, 2},
         .values = live_sphere_values,

@@ -158,6 +158,7 @@ static const struct scene live[] = {
 #endif
     {
         .name = "skipped",
+        .extra = true,
         .needs = NEEDS_MODEL | NEEDS_DEPTH,
         .values = live_skipped_values,
         .draw = live_skipped,
