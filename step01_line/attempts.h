@@ -17,25 +17,26 @@
 #include <stdint.h>
 #include <stdlib.h>
 
-typedef void line_function(struct image *image, struct pixel a, struct pixel b, struct color color);
+typedef void attempt_function(struct image *image, struct pixel a, struct pixel b,
+                              struct color color);
 
 /* The whole number nearest to a coordinate, halves up. What is not a number, or lies too far away,
  * becomes -1 (outside every image): C leaves the conversion of such a value undefined. */
-static inline int nearest_pixel(double coordinate) {
+static inline int attempt_nearest_pixel(double coordinate) {
     return fabs(coordinate) <= LINE_LIMIT ? (int)floor(coordinate + 0.5) : -1;
 }
 
-static inline struct pixel transposed(struct pixel p) {
+static inline struct pixel attempt_transposed(struct pixel p) {
     return (struct pixel){p.y, p.x};
 }
 
 /* Exchange the axes of a steep line, then the ends of one that goes to the left. Afterwards the
  * line goes to the right, and at most as far up or down. Says whether the axes were exchanged. */
-static inline bool make_flat(struct pixel *a, struct pixel *b) {
+static inline bool attempt_make_flat(struct pixel *a, struct pixel *b) {
     bool steep = abs(b->y - a->y) > abs(b->x - a->x);
     if (steep) {
-        *a = transposed(*a);
-        *b = transposed(*b);
+        *a = attempt_transposed(*a);
+        *b = attempt_transposed(*b);
     }
     if (a->x > b->x) {
         struct pixel kept = *a;
@@ -46,7 +47,8 @@ static inline bool make_flat(struct pixel *a, struct pixel *b) {
 }
 
 /* Set pixel (x,y), or (y,x) where the axes were exchanged. */
-static inline void set_flat(struct image *image, bool steep, int x, int y, struct color color) {
+static inline void attempt_set_flat(struct image *image, bool steep, int x, int y,
+                                    struct color color) {
     image_set(image, steep ? y : x, steep ? x : y, color);
 }
 
@@ -78,7 +80,7 @@ static inline void attempt_3_step_per_column(struct image *image, struct pixel a
                                              struct color color) {
     for (int x = a.x; x <= b.x; x++) {
         double t = (double)(x - a.x) / (b.x - a.x);
-        image_set(image, x, nearest_pixel(a.y + (b.y - a.y) * t), color);
+        image_set(image, x, attempt_nearest_pixel(a.y + (b.y - a.y) * t), color);
     }
 }
 
@@ -86,10 +88,10 @@ static inline void attempt_3_step_per_column(struct image *image, struct pixel a
  * for every pixel; and where two pixels are equally near, this always takes the upper one. */
 static inline void attempt_4_swapped(struct image *image, struct pixel a, struct pixel b,
                                      struct color color) {
-    bool steep = make_flat(&a, &b);
+    bool steep = attempt_make_flat(&a, &b);
     for (int x = a.x; x <= b.x; x++) {
         double t = b.x > a.x ? (double)(x - a.x) / (b.x - a.x) : 0;
-        set_flat(image, steep, x, nearest_pixel(a.y + (b.y - a.y) * t), color);
+        attempt_set_flat(image, steep, x, attempt_nearest_pixel(a.y + (b.y - a.y) * t), color);
     }
 }
 
@@ -97,12 +99,12 @@ static inline void attempt_4_swapped(struct image *image, struct pixel a, struct
  * slope is rounded, so near a tie the wrong pixel wins, more often on longer lines. */
 static inline void attempt_5_division_outside(struct image *image, struct pixel a, struct pixel b,
                                               struct color color) {
-    bool steep = make_flat(&a, &b);
+    bool steep = attempt_make_flat(&a, &b);
     float slope = b.x > a.x ? (float)(b.y - a.y) / (float)(b.x - a.x) : 0;
     for (int x = a.x; x <= b.x; x++) {
         float climbed = slope * (float)(x - a.x);
         float y = (float)a.y + climbed;
-        set_flat(image, steep, x, nearest_pixel(y), color);
+        attempt_set_flat(image, steep, x, attempt_nearest_pixel(y), color);
     }
 }
 
@@ -110,11 +112,11 @@ static inline void attempt_5_division_outside(struct image *image, struct pixel 
  * the errors add up. */
 static inline void attempt_6_accumulated(struct image *image, struct pixel a, struct pixel b,
                                          struct color color) {
-    bool steep = make_flat(&a, &b);
+    bool steep = attempt_make_flat(&a, &b);
     float slope = b.x > a.x ? (float)(b.y - a.y) / (float)(b.x - a.x) : 0;
     float y = (float)a.y;
     for (int x = a.x; x <= b.x; x++) {
-        set_flat(image, steep, x, nearest_pixel(y), color);
+        attempt_set_flat(image, steep, x, attempt_nearest_pixel(y), color);
         y += slope;
     }
 }
@@ -123,13 +125,13 @@ static inline void attempt_6_accumulated(struct image *image, struct pixel a, st
  * than a large one, and no conversion to int is needed. Still wrong on long lines, but later. */
 static inline void attempt_7_two_parts(struct image *image, struct pixel a, struct pixel b,
                                        struct color color) {
-    bool steep = make_flat(&a, &b);
+    bool steep = attempt_make_flat(&a, &b);
     float slope = b.x > a.x ? (float)abs(b.y - a.y) / (float)(b.x - a.x) : 0;
     int y_step = b.y > a.y ? 1 : -1;
     int y = a.y;
     float beyond = 0;
     for (int x = a.x; x <= b.x; x++) {
-        set_flat(image, steep, x, y, color);
+        attempt_set_flat(image, steep, x, y, color);
         beyond += slope;
         if (beyond > 0.5f) {
             y += y_step;
@@ -177,8 +179,8 @@ static inline void attempt_by_cases(struct image *image, struct pixel a, struct 
 
 /* Pixels u_begin (inclusive) to u_end (exclusive) of row v, or of column v of a steep line. The
  * test against the image's borders is done once for all of them. */
-static inline void draw_run(struct image *image, bool steep, int64_t u_begin, int64_t u_end,
-                            int64_t v, struct color color) {
+static inline void attempt_draw_run(struct image *image, bool steep, int64_t u_begin, int64_t u_end,
+                                    int64_t v, struct color color) {
     int64_t u_size = (int64_t)(steep ? image->height : image->width);
     int64_t v_size = (int64_t)(steep ? image->width : image->height);
     u_begin = u_begin > 0 ? u_begin : 0;
@@ -206,13 +208,13 @@ static inline void draw_run(struct image *image, bool steep, int64_t u_begin, in
  * rise)). From one m to the next that is a whole number of steps plus a fraction, which is carried
  * as a remainder. The same pixels as line(), with work per run instead of per pixel. (The idea:
  * Bresenham, "Run length slice algorithm for incremental lines", 1985.) */
-static inline void line_by_runs(struct image *image, struct pixel a, struct pixel b,
-                                struct color color) {
-    bool steep = make_flat(&a, &b);
+static inline void attempt_by_runs(struct image *image, struct pixel a, struct pixel b,
+                                   struct color color) {
+    bool steep = attempt_make_flat(&a, &b);
     int64_t run = (int64_t)b.x - a.x, rise = llabs((int64_t)b.y - a.y);
     int v_step = b.y < a.y ? -1 : 1;
     if (rise == 0) {
-        draw_run(image, steep, a.x, (int64_t)b.x + 1, a.y, color);
+        attempt_draw_run(image, steep, a.x, (int64_t)b.x + 1, a.y, color);
         return;
     }
     int64_t divisor = 2 * rise;
@@ -220,7 +222,7 @@ static inline void line_by_runs(struct image *image, struct pixel a, struct pixe
     const int64_t length = 2 * run / divisor, length_remainder = 2 * run % divisor;
     int64_t begin = 0;
     for (int64_t m = 0; m < rise; m++) {
-        draw_run(image, steep, a.x + begin, a.x + end, a.y + v_step * m, color);
+        attempt_draw_run(image, steep, a.x + begin, a.x + end, a.y + v_step * m, color);
         begin = end;
         end += length;
         remainder += length_remainder;
@@ -229,18 +231,18 @@ static inline void line_by_runs(struct image *image, struct pixel a, struct pixe
             end++;
         }
     }
-    draw_run(image, steep, a.x + begin, (int64_t)b.x + 1, b.y, color);
+    attempt_draw_run(image, steep, a.x + begin, (int64_t)b.x + 1, b.y, color);
 }
 
 /* ---- The table ---- */
 
-enum { LINE_ATTEMPT_COUNT = 9 };
+enum { ATTEMPT_COUNT = 9 };
 
-static inline line_function *line_attempt(int index) {
-    static line_function *const attempts[LINE_ATTEMPT_COUNT] = {
+static inline attempt_function *attempt_at(int index) {
+    static attempt_function *const attempts[ATTEMPT_COUNT] = {
         attempt_1_hundred_steps, attempt_2_ten_steps,        attempt_3_step_per_column,
         attempt_4_swapped,       attempt_5_division_outside, attempt_6_accumulated,
-        attempt_7_two_parts,     attempt_by_cases,           line_by_runs,
+        attempt_7_two_parts,     attempt_by_cases,           attempt_by_runs,
     };
     return attempts[index];
 }

@@ -27,9 +27,9 @@ chmod +x "$work/stop" "$work/fill"
 program=$work/programs/step01_line
 full="step01_line  ERROR 0/.*No space left on device"
 fails='{ echo "main.c:9: fatal error: error writing to x.s: No space left on device" >&2; exit 1; }'
-judges 100m 0 'step01_line  PASS' "cp '$build/step01_line' '$program'"
-judges 20k 2 "$full" "cp '$build/step01_line' '$program'"
-judges 4k 2 "$full" "cp '$build/step01_line' '$program'"
+judges 100m 0 'step01_line  PASS' "cp '$build/quick/step01_line' '$program'"
+judges 20k 2 "$full" "cp '$build/quick/step01_line' '$program'"
+judges 4k 2 "$full" "cp '$build/quick/step01_line' '$program'"
 judges 100m 1 'step01_line  FAIL' "cp '$work/stop' '$program'"
 judges 100m 1 'step01_line  BUILD' "$fails"
 judges 64k 2 "$full" "$fails"
@@ -46,6 +46,6 @@ hands_out() {
     umount "$work/disk"
 }
 
-hands_out 240k tests/reference/step01_line
+hands_out 270k tests/reference/step01_line
 hands_out 500k common
 exit $failed

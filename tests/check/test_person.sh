@@ -11,8 +11,9 @@ main=$work/sources/step01_line/main.c
 checks() {
     said=$work/said
     sed "s|^#include \"scenes.h\"|#include \"$top/step01_line/scenes.h\"|" "$main" >"$work/main.c"
-    ${CC:-cc} -std=c17 -w -I"$top/common" -I"$top/step01_line" -DCOURSE_BUILD="\"$build\"" \
-        "$work/main.c" "$build/libcommon.a" -lm -pthread -o "$work/built" || exit 1
+    ${CC:-cc} -std=c17 -w -I"$top/common" -I"$top/step01_line" -I"$top/tests" -DCOURSE_BUILD="\"$build\"" \
+        -DLESSON="\"$work/main.c\"" "$top/tests/lessons/step01_line/trials.c" \
+        "$build/libcommon.a" -lm -pthread -o "$work/built" || exit 1
     command="$2 '$build/check' --root '$top' --programs '$work' --sources '$work/sources' \
         --scenes '$work/scenes.txt' --differences '$work/differences' --make \"cp '$work/built' '$work/step01_line'; true\" 01"
     script -qec "$command" /dev/null >"$said"

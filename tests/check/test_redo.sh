@@ -10,10 +10,13 @@ cp -R "$top/Makefile" "$top/common" "$top/$one" "$work" && cd "$work" || exit 1
 mkdir -p tests/reference && cp -R "$top/tests/check" "$top/tests/student" tests || exit 1
 cp -R $one $two && sed "s/$one/$two/g" $one/scenes.h >$two/scenes.h &&
     sed "s/$one/$two/g" $one/main.c >$two/main.c
-for lesson in $one $two; do
-    cp -R "$top/tests/reference/$one" "tests/reference/$lesson"
-done
-sed -n "s/^$one /$one /p; s/^$one /$two /p" "$top/tests/check/scenes.txt" | sort >tests/check/scenes
+for scene in $(sed -n 's/.*\.name = "\([a-z]*\)", .*/\1/p' $one/scenes.h); do # not those of trials.c
+    for lesson in $one $two; do
+        mkdir -p "tests/reference/$lesson" &&
+            cp "$top/tests/reference/$one/$scene.png" "tests/reference/$lesson" || exit 1
+        sed -n "s/^$one  *$scene /$lesson $scene /p" "$top/tests/check/scenes.txt"
+    done
+done | sort >tests/check/scenes
 mv tests/check/scenes tests/check/scenes.txt
 
 # The sculptor only makes its file: these lessons draw none of it.

@@ -14,9 +14,9 @@
 #include "oracle/oracle.h"
 
 enum {
-    SIDE = 256,                     /* pixels of an image */
-    LINE_COUNT = 96,                /* half of them from the end of the one before to its start */
-    HOUSE_LINE = LINE_ATTEMPT_COUNT /* ways below it are attempts */
+    SIDE = 256,                /* pixels of an image */
+    LINE_COUNT = 96,           /* half of them from the end of the one before to its start */
+    HOUSE_LINE = ATTEMPT_COUNT /* ways below it are attempts */
 };
 
 static struct {
@@ -30,7 +30,7 @@ static uint8_t version_level(struct bench_choice choice) {
 }
 
 static void lines_run(struct bench_choice choice) {
-    line_function *draw = choice.way == HOUSE_LINE ? line : line_attempt(choice.way);
+    attempt_function *draw = choice.way == HOUSE_LINE ? line : attempt_at(choice.way);
     for (int i = 0; i < LINE_COUNT; i++) {
         draw(&lines.images[i], lines.ends[i][0], lines.ends[i][1],
              color_grey(version_level(choice)));

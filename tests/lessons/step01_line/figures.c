@@ -15,7 +15,7 @@ enum { GRID = 56 }; /* grey level of the lines between enlarged pixels */
 /* ---- Pictures ---- */
 
 /* The lesson's three lines; the last one goes leftwards over the first. */
-static void draw_three_lines(struct image *image, line_function *draw) {
+static void draw_three_lines(struct image *image, attempt_function *draw) {
     draw(image, (struct pixel){13, 20}, (struct pixel){80, 40}, white);
     draw(image, (struct pixel){20, 13}, (struct pixel){40, 80}, red);
     draw(image, (struct pixel){80, 40}, (struct pixel){13, 20}, red);
@@ -39,7 +39,7 @@ static void draw_attempts(void) {
     static const char *const names[] = {"attempt_1", "attempt_2", "attempt_3", "attempt_4"};
     for (int i = 0; i < 4; i++) {
         struct image image = figure_image(100, 100);
-        draw_three_lines(&image, line_attempt(i));
+        draw_three_lines(&image, attempt_at(i));
         figure_save_detail(&image, detail_of_whole(&image, 3, 0), names[i]);
     }
 }
@@ -54,7 +54,7 @@ static void draw_holes(void) {
 /* A line as two versions draw it. */
 struct line_pair {
     const char *name;
-    line_function *first_draw, *second_draw;
+    attempt_function *first_draw, *second_draw;
     struct pixel a, b;
     bool backwards;       /* the second one draws from b to a */
     size_t width, height; /* of the image that both are drawn into */

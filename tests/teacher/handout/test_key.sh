@@ -11,7 +11,7 @@ cp -R "$top/Makefile" "$top/README.md" "$top/LICENSE" "$top"/.gitattributes "$to
 (cd "$top/tests" && tests=$work/course/tests &&
     cp -R check student teacher upkeep "$tests" &&
     cp -R reference/step0[1-4]_* "$tests/reference" &&
-    cp lesson.h numbers.h "$tests" && mkdir "$tests/lessons" &&
+    cp lesson.h numbers.h more_scenes.h "$tests" && mkdir "$tests/lessons" &&
     cp -R lessons/step01_line lessons/step04_flat "$tests/lessons") || exit 1
 grep -e '^#' -e 'step01_' -e 'step04_' "$top/tests/check/scenes.txt" >tests/check/scenes.txt
 cat >step01_line/mistakes.txt <<'END'

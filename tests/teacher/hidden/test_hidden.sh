@@ -7,7 +7,8 @@ said=$work/said && : >"$said"
 
 mkdir -p "$work/course/tests/reference" && cd "$work/course" || exit 1
 cp -R "$top/Makefile" "$top/common" "$top/step01_line" "$top/step05_zbuffer" . || exit 1
-(cd "$top/tests" && cp -R check student teacher "$work/course/tests" &&
+(cd "$top/tests" && cp -R check student teacher lesson.h more_scenes.h "$work/course/tests" &&
+    mkdir "$work/course/tests/lessons" && cp -R lessons/step01_line lessons/step05_zbuffer "$work/course/tests/lessons" &&
     cp -R reference/step01_line reference/step05_zbuffer "$work/course/tests/reference") || exit 1
 grep -v '^call' "$top/tests/check/scenes.txt" | grep -e '^#' -e 'step01_' -e 'step05_' >tests/check/scenes.txt
 mkdir build && cp -R "$build/models" "$build/hidden" build || exit 1
@@ -78,10 +79,12 @@ mv right step05_zbuffer/main.c
 
 # ---- Programs that are wrong ----
 
-# A program that knows the references by heart, and nothing else.
+# A program that knows the references by heart, and nothing else: its functions are the starter's.
 cp -R step01_line step05_zbuffer "$work"
 for lesson in step01_line step05_zbuffer; do
     cat >$lesson/main.c <<EOF
+$(awk -v mode=starter -f tests/student/marks.awk "$work/$lesson/main.c" |
+    sed 's/to do [0-9]//; s/^int main(/static inline int given_main(/')
 #include "files/image_file.h"
 #include <stdio.h>
 #include <string.h>

@@ -25,7 +25,7 @@ head=$(head -n 1 "$work/answer" | wc -c)
 
 # Each line is answered, also a wrong one, and a text scene between two marks.
 printf '%s\n' '--only nothing' '--live' 'model.obj' '--only pixel text' 'line 1 2 3 x 1 1 1' end '' | answers step01_line
-has 1 "error --only wants a scene or all: pixel, line, octants, ties, far, list, gradient, wide, high, small, one_pixel, not 'nothing'"
+has 1 "error --only wants a scene or all: pixel, line, octants, gradient, not 'nothing'"
 has 2 'error the model and --live belong on the command line'
 has 3 'error the model and --live belong on the command line'
 has 4 "error coordinate 'x' is not a whole number"

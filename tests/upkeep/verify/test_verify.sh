@@ -12,7 +12,8 @@ cp -R "$top/Makefile" "$top/common" "$top/step01_line" . || exit 1
     cp check/check.mk check/compare.h "$work/tests/check") || exit 1
 cp -R "$top/tests/reference/step01_line" tests/reference || exit 1
 grep -e '^#' -e '^step01' "$top/tests/check/scenes.txt" >tests/check/scenes.txt
-mkdir -p tests/lessons/step01_line
+mkdir -p tests/lessons/step01_line && cp "$top/tests/lessons/step01_line/trials.c" tests/lessons/step01_line &&
+    cp "$top/tests/lesson.h" "$top/tests/more_scenes.h" tests || exit 1
 
 # verify STATUS [NAME]: what it says is in `said`.
 verify() {
