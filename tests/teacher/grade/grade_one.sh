@@ -2,7 +2,7 @@
 # Grades one submission: grade_one.sh BUILD MAKE SUBMISSION OUT [LESSONS [SEED]]
 #
 # The check, the library and the models must be built in BUILD, and with SEED the solutions in
-# BUILD/solutions. LESSONS is 5 or 1-5. What the submission brings is only what unpack.sh takes:
+# BUILD/solutions. LESSONS is 5 or 1-5. What the submission brings is only what take.sh takes:
 # everything else is the course's own. Its programs are built and run by contain.sh.
 #
 # OUT/submissions/NAME becomes: state (GRADED, or ERROR and a reason), seconds, report.html, .xml
@@ -39,7 +39,7 @@ select_lessons
 name=$(encode "${submission##*/}")
 result=$out/submissions/$name
 
-# What the result depends on: of a directory what unpack.sh may take, with its places.
+# What the result depends on: of a directory what take.sh may take, with its places.
 sums() {
     echo "LESSONS=$wanted SEED=$seed"
     if [ -d "$submission" ]; then
@@ -82,8 +82,8 @@ echo begun >>"$out/.begun/$name"
 [ "$(wc -l <"$out/.begun/$name")" -le 2 ] || finish "ERROR killed the grading twice"
 
 # shellcheck disable=SC2086 # one word a lesson
-taken=$(sh tests/teacher/grade/unpack.sh "$build/limited" "$submission" "$work/sources" $lessons) ||
-    finish "ERROR $taken"
+taken=$(TMPDIR=$work LIMITED=$build/limited sh tests/teacher/templates/take.sh "$submission" "$work/sources" . $lessons) ||
+    finish "ERROR ${taken:-no room to unpack it}"
 # Whatever modes its files have: the compiler that reads them runs as another user.
 chmod -R u+rwX,go+rX "$work/sources" &&
     mv "$work/sources" "$work/result" && cp -R "$work/result/sources" "$place/sources" &&
@@ -106,7 +106,7 @@ limited() {
 # shellcheck disable=SC2086
 limited "$work/result/log" "$build/check" --programs "$place_short" \
     --sources "$place/sources" --differences "$work/result/differences" \
-    --make "$make" --note "$({ contain_note; printf '%s\n' "$taken"; } | sed '/^$/d' | tr '\n' ' ' | sed 's/ $//')" --junit "$work/result/report.xml" \
+    --make "$make" --note "$({ contain_note; printf '%s\n' "$taken"; } | sed '/^There is no step/d; /^$/d' | tr '\n' ' ' | sed 's/ $//')" --junit "$work/result/report.xml" \
     --json "$work/result/report.json" --html "$work/result/report.html" $lessons
 status=$?
 rm -rf "$work/result/differences"

@@ -1,11 +1,8 @@
 #!/bin/sh
-# `make grade` in small: what becomes of the names and files of submissions, that the course's own
-# files are used and not theirs, hidden scenes against stored pictures, and a class that is merged.
-# What hostile programs do is tried by tests/teacher/grade/try_class.sh.
+# `make grade` in small: what becomes of the names of submissions, hidden scenes against stored pictures,
+# and a class that is merged. In what layouts they come is tried by tests/teacher/templates/test_layouts.sh,
+# what hostile programs do by tests/teacher/grade/try_class.sh.
 . "$(dirname "$0")/../../unit/script.sh"
-for tool in zip unzip; do
-    command -v $tool >/dev/null || skip "there is no $tool"
-done
 
 # ---- Names ----
 
@@ -17,102 +14,9 @@ for pair in 'ann=ann' 'a b=a%20b' '-rf=%2Drf' '.x=%2Ex' '=1+1=%3D1%2B1' 'a%b=a%2
     [ "$(encode "$name")" = "$wanted" ] || wrong "$name becomes $(encode "$name"), not $wanted"
 done
 
-# ---- Unpacking ----
-
-layouts=0
-
-mkdir -p "$work/s/deep/er/step01_line" "$work/s/deep/er/step02_wireframe" "$work/s/common" &&
-    cd "$work" || exit 1
-echo solved >s/deep/er/step01_line/main.c
-echo mine >s/deep/er/step01_line/my_own.h
-echo stolen >s/deep/er/step01_line/scenes.h
-# shellcheck disable=SC2016 # a name that a shell could trip over
-echo stolen >'s/deep/er/step01_line/$(x).h'
-echo stolen >s/common/file.c
-ln -s /etc/passwd s/deep/er/step02_wireframe/main.c
-tar czf s.tar.gz s
-(cd s && zip -qry ../s.zip .)
-head -c 1048577 /dev/zero | tr '\0' ' ' >large.c
-mkdir -p large/step01_line && mv large.c large/step01_line/main.c
-mkdir empty
-unpack() {
-    answer=$(cd "$top" && sh tests/teacher/grade/unpack.sh "$build/limited" "$work/$1" "$work/from.$1" \
-        step01_line step02_wireframe)
-}
-for packed in s s.tar.gz s.zip; do
-    unpack $packed || wrong "$packed: $answer"
-    found=$(cd "from.$packed" && find . -type f | sort | tr '\n' ' ')
-    [ "$found" = "./step01_line/main.c ./step01_line/my_own.h " ] || wrong "$packed: $found"
-done
-
-# has PATH...: a submission of these files, each of which says its path.
-has() {
-    submission=layout$((layouts = layouts + 1))
-    mkdir $submission && for file; do
-        mkdir -p "$submission/$(dirname "$file")" && echo "$file" >"$submission/$file" || exit 1
-    done
-}
-# gives LESSONS PATH: of each of these lessons is taken what is named, in every locale.
-gives() {
-    for locale in C C.UTF-8 de_DE.ISO-8859-1; do
-        rm -rf "$work/taken"
-        # shellcheck disable=SC2086 # one word a lesson
-        answer=$(cd "$top" && LC_ALL=$locale sh tests/teacher/grade/unpack.sh "$build/limited" \
-            "$work/$submission" "$work/taken" $1 2>/dev/null)
-        status=$?
-        found=$(cat "$work"/taken/*/main.c 2>/dev/null)
-        [ $status = 0 ] && [ "$found" = "$2" ] || wrong "$submission, $locale: $status $found $answer"
-    done
-}
-two='step01_line step02_wireframe'
-bung=$(printf '\334bung')
-for path in step01_line.c step01/main.c Step01_Line/Main.C hw1/step01_line/main.c lesson1/main.c 1/main.c \
-    lesson_1.c ann_12_34_step01_line.c 'step01_line\main.c' "$bung/step01_line/main.c" 'a b/step01_line/main.c'; do
-    has "$path" other/thing.c
-    gives "$two" "$path"
-done
-for path in main.c hw2/main.c ann_12_34_main.c solution.c; do
-    has "$path"
-    gives step01_line "$path"
-done
-has deep/step01_line/main.c step01/main.c step01_line.c main.c
-gives "$two" deep/step01_line/main.c
-has step02/main.c step01.c
-gives "$two" "$(printf 'step01.c\nstep02/main.c')"
-has "$bung/step01_line/main.c" && (cd $submission && zip -qr ../packed.zip .) && submission=packed.zip
-gives "$two" "$bung/step01_line/main.c"
-mkdir moodle && cp packed.zip moodle && submission=moodle
-gives "$two" "$bung/step01_line/main.c"
-(cd moodle && zip -q ../twice.zip packed.zip) && submission=twice.zip
-gives "$two" "$bung/step01_line/main.c"
-echo one >ann_main.c && submission=ann_main.c
-gives step01_line one
-has step01_line/main.c && echo Übung | iconv -f UTF-8 -t UTF-16 >$submission/step01_line/main.c
-gives step01_line Übung
-[ "$answer" = "step01_line/main.c was UTF-16, and is taken as UTF-8." ] || wrong "UTF-16: $answer"
-
-mkdir -p linked/step01_line dots/step01_line && ln -s /etc/passwd linked/step01_line/main.c
-echo solved >dots/main.c
-(cd dots/step01_line && tar cPf ../../dots.tar ../main.c)
-# refuses SUBMISSION WORDS: it is not taken, for that reason.
-refuses() {
-    ! unpack "$1" || wrong "$1 is taken"
-    case $answer in *"$2"*) ;; *) wrong "$1: $answer" ;; esac
-}
-refuses empty "holds no main.c of a lesson"
-has a.c b/c.c && refuses $submission 'found `a.c`, `b/c.c`; name the folder step01_line'
-has main.c && refuses $submission 'found `main.c`; name the folder step01_line'
-refuses large "step01_line/main.c is no file of 1 MiB at most"
-refuses linked "step01_line/main.c is a link"
-refuses dots.tar "\`../'"
-echo "no archive" >broken.zip
-! unpack broken.zip || wrong "broken.zip is taken"
-ln -s s link
-! unpack link || wrong "a link is followed"
-
 # ---- A class of four, of lesson 1 ----
 
-mkdir -p course/tests/reference && cd course || exit 1
+mkdir -p "$work/course/tests/reference" && cd "$work/course" || exit 1
 cp -R "$top/Makefile" "$top/common" "$top/step01_line" . &&
     (cd "$top/tests" && cp -R check student teacher "$work/course/tests" &&
         cp lesson.h numbers.h more_scenes.h "$work/course/tests" && mkdir "$work/course/tests/lessons" && cp -R lessons/step01_line "$work/course/tests/lessons" &&

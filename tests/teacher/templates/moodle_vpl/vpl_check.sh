@@ -16,6 +16,7 @@
 . ./common_script.sh
 rm -f vpl_execution
 course=$(mktemp -d) && tar xzf course.tar.gz -C "$course" --strip-components=1 || exit 1
+rm course.tar.gz # no archive that somebody handed in
 note=$(sh ./take.sh . "$course" "$course")
 [ $? != 1 ] || exit 1
 
