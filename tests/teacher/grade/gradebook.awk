@@ -32,6 +32,7 @@ function next_row(    line, quotes) {
     row = ""
     while ((getline line < roster) > 0) {
         sub(/\r$/, "", line)
+        if (row line == "") continue
         row = row (row == "" ? "" : "\n") line
         quotes = row
         if (gsub(/"/, "", quotes) % 2 == 0) return 1
@@ -45,11 +46,14 @@ function quoted(value) {
     return "\"" value "\""
 }
 
-# Small letters and digits with one blank between.
+# Small letters and digits with one blank between; other letters are %XX, as in names of submissions.
 function plain(text) {
     text = tolower(text)
-    gsub(/%[0-9a-f][0-9a-f]/, " ", text)
-    gsub(/[^a-z0-9@\200-\377]+/, " ", text)
+    while (match(text, /[\200-\377]/)) {
+        text = substr(text, 1, RSTART - 1) code[substr(text, RSTART, 1)] substr(text, RSTART + 1)
+    }
+    gsub(/%[0-7][0-9a-f]/, " ", text)
+    gsub(/[^a-z0-9@%]+/, " ", text)
     return " " text " "
 }
 
@@ -73,8 +77,8 @@ function submission_of(count,    kind, i, n, key, found, sum) {
             if (key ~ /, /) key = substr(key, index(key, ", ") + 2) " " substr(key, 1, index(key, ", ") - 1)
             else sub(/@.*/, "", key)
             for (n = 1; n <= name_count; n++)
-                if (index(plain(person(names[n])), plain(key)) ||
-                    kind == 3 && index(plain(person(names[n])), squeezed(field[i]))) {
+                if (index(known_as[n], plain(key)) || kind == 3 &&
+                    (index(known_as[n], plain(field[i])) || index(known_as[n], squeezed(field[i])))) {
                     if (sum == 0 || person(names[n]) != person(found)) sum++
                     found = names[n]
                 }
@@ -98,12 +102,15 @@ END {
         exit 1
     }
     sub(/^\357\273\277/, "", row)
+    for (i = 128; i < 256; i++) code[sprintf("%c", i)] = sprintf("%%%02x", i)
+    for (n = 1; n <= name_count; n++) known_as[n] = plain(person(names[n]))
     columns = read_fields(row, title)
     for (i = 1; i <= columns; i++) {
         if (title[i] == (column == "" ? "Grade" : column)) goal = i
         if (title[i] == "Maximum Grade") maximum = i
     }
-    if (!goal && column == "" && title[columns] ~ /\([0-9]+\)$/) goal = columns # an assignment of Canvas
+    for (i = columns; i > 1 && !goal && column == "" && title[1] == "Student"; i--)
+        if (title[i] ~ /\([0-9]+\)$/) goal = i # an assignment of Canvas
     if (!goal) title[goal = ++columns] = column == "" ? "Points" : column
     for (count = 0; next_row(); rows_of[person(whose[count])]++) {
         text[++count] = row

@@ -31,7 +31,7 @@ function join(one, other, share) {
 function person(name,    part) {
     name = tolower(name)
     sub(/\.(zip|tar|tar\.[a-z0-9]+|tgz|c)$/, "", name)
-    gsub(/(%[0-9a-f][0-9a-f]|[-_.])+/, " ", name)
+    gsub(/(%[0-7][0-9a-f]|[-_.])+/, " ", name)
     is_late = sub(/ (late|resubmission|resubmitted|corrected|v[0-9])( |$)/, " ", name)
     sub(/ $/, "", name)
     if (name ~ /^[^ ]+ [0-9]+ [0-9]+( |$)/) {
