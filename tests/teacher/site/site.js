@@ -72,27 +72,39 @@ document.addEventListener("click", event => {
 
 // ---- A lesson as slides, of the same text ----
 
-const main = document.querySelector("main"), slides = element("div");
+const main = document.querySelector("main"), slides = element("main"), place = element("span");
 let shown = -1; // the number of the slide, or -1
 
-// The sentence that a section begins with.
+// The sentence that a section begins with; with the next one, where it is as short as "Check:".
 function lead(block) {
     const range = document.createRange(), texts = document.createTreeWalker(block, NodeFilter.SHOW_TEXT);
     range.selectNodeContents(block);
     while (texts.nextNode()) {
-        const end = texts.currentNode.data.search(/[.?!:](\s|$)/);
-        if (end >= 0) {
-            range.setEnd(texts.currentNode, end + 1);
-            break;
+        for (const {index} of texts.currentNode.data.matchAll(/[.?!:](?=\s|$)/g)) {
+            range.setEnd(texts.currentNode, index + 1);
+            if (range.toString().length > 12) return range.cloneContents();
         }
     }
+    range.selectNodeContents(block);
     return range.cloneContents();
 }
 
 function add(heading, ...content) {
-    const slide = element("section", heading.cloneNode(true), ...content);
+    const slide = element("section", element("h1", ...heading.cloneNode(true).childNodes), ...content);
+    slide.tabIndex = 0; // it may be higher than the window
     slide.querySelectorAll("[id]").forEach(part => part.removeAttribute("id"));
+    for (const program of slide.querySelectorAll("pre")) { // as large as its longest line allows
+        program.style.setProperty("--columns", Math.max(...program.textContent.split("\n").map(line => line.length), 1));
+    }
     slides.append(slide);
+}
+
+function button(sign, name, act) {
+    const made = element("button", sign);
+    made.type = "button";
+    made.setAttribute("aria-label", name);
+    made.addEventListener("click", act);
+    return made;
 }
 
 // What is shown large: a picture, a program, a table; a question comes with its answer.
@@ -112,8 +124,8 @@ function make_slides() {
             if (words === null && block.tagName === "P" && !block.matches(exhibits) && !/ \| |^.{0,30}$/.test(block.textContent)) {
                 words = element("p", lead(block));
             }
-            const parts = block.matches(exhibits) ? [block] : block.querySelectorAll(exhibits);
-            for (const part of parts) {
+            const parts = block.matches(exhibits) ? [block] : [...block.querySelectorAll(exhibits)];
+            for (const part of parts.filter(part => !part.parentElement.closest(exhibits))) { // what an answer has stays there
                 add(heading, count++ === 0 && words !== null ? words : "",
                     part.tagName === "LI" ? element("div", ...part.cloneNode(true).childNodes) : part.cloneNode(true));
             }
@@ -121,23 +133,33 @@ function make_slides() {
     }
     end();
     slides.id = "slides";
+    const bar = element("nav", button("\u2190", "Previous slide", go_back), place, button("\u2192", "Next slide", go_on),
+                        button("\u2715", "Back to the text", () => show_slide(-1)));
+    bar.setAttribute("aria-label", "Slides");
+    slides.append(bar);
     main.after(slides);
 }
 
 function show_slide(number) {
     if (slides.childElementCount === 0) make_slides();
-    shown = Math.max(-1, Math.min(number, slides.childElementCount - 1));
+    const all = slides.querySelectorAll("section");
+    shown = Math.max(-1, Math.min(number, all.length - 1));
     document.body.classList.toggle("lecture", shown >= 0);
-    [...slides.children].forEach((slide, i) => slide.classList.toggle("shown", i === shown));
+    all.forEach((slide, i) => slide.classList.toggle("shown", i === shown));
+    place.textContent = `${shown + 1} / ${all.length}`;
     history.replaceState(null, "", shown >= 0 ? `#slide=${shown + 1}` : location.pathname);
-    slides.children[shown]?.scrollIntoView();
+    all[shown]?.focus();
 }
 
 // The answer comes before the next slide.
 function go_on() {
-    const answer = slides.children[shown].querySelector("details:not([open])");
+    const answer = slides.querySelector(".shown details:not([open])");
     if (answer !== null) answer.open = true;
     else show_slide(shown + 1);
+}
+
+function go_back() {
+    show_slide(Math.max(0, shown - 1));
 }
 
 if (main.querySelector("h2") !== null) {
@@ -146,16 +168,16 @@ if (main.querySelector("h2") !== null) {
     document.querySelector("header").prepend(link);
     const follow = () => {
         const number = /^#slide=(\d+)$/.exec(location.hash)?.[1];
-        if (number !== undefined) show_slide(number - 1);
+        if (number !== undefined || shown >= 0) show_slide((number ?? 0) - 1);
     };
     addEventListener("hashchange", follow);
     follow();
     document.addEventListener("keydown", event => {
-        if (event.ctrlKey || event.metaKey || event.altKey || event.target.matches("input, iframe")) return;
+        const own = event.key === " " ? "input, iframe, button, summary" : "input, iframe"; // keys of these
+        if (event.ctrlKey || event.metaKey || event.altKey || event.target.matches(own)) return;
         const keys = shown < 0 ? {s: () => show_slide(0)} : {
-            ArrowRight: go_on, PageDown: go_on, " ": go_on, ArrowLeft: () => show_slide(Math.max(0, shown - 1)),
-            PageUp: () => show_slide(Math.max(0, shown - 1)), Home: () => show_slide(0),
-            End: () => show_slide(slides.childElementCount - 1), Escape: () => show_slide(-1)};
+            ArrowRight: go_on, PageDown: go_on, " ": go_on, ArrowLeft: go_back, PageUp: go_back,
+            Home: () => show_slide(0), End: () => show_slide(Infinity), Escape: () => show_slide(-1)};
         if (keys[event.key] !== undefined) {
             event.preventDefault();
             keys[event.key]();

@@ -192,9 +192,9 @@ test('without scripts the text is there', async () => {
 
 test('a lesson as slides: by keys, questions with their answers, living pictures, and as a PDF', () =>
     on(served('step03_triangle/index.html'), desktop, async page => {
+        const headings = await page.locator('main :is(h1, h2, h3, h4)').count();
         await page.keyboard.press('s');
         const count = await page.locator('#slides section').count();
-        const headings = await page.locator('main :is(h1, h2, h3, h4)').count();
         assert.ok(count >= headings, `${count} slides of ${headings} sections`);
         const shown = page.locator('#slides section.shown');
         for (let i = 1; i <= count; i++) { /* nothing is cut, at the size of a projector */
@@ -214,9 +214,51 @@ test('a lesson as slides: by keys, questions with their answers, living pictures
         assert.equal(await shown.locator('iframe').count(), 1);
         await page.locator('#slides section.shown h1').click(); /* the keys come back from the frame */
         await page.keyboard.press('Escape');
-        assert.equal(await page.locator('main').isVisible(), true);
+        assert.equal(await page.locator('main:not(#slides)').isVisible(), true);
         await page.goto(served('step08_projection/index.html#slide=3'));
         assert.equal(await shown.count(), 1);
         const pdf = await page.pdf({preferCSSPageSize: true});
         assert.equal((pdf.toString('latin1').match(/\/Type\s*\/Page\b/g) ?? []).length, await page.locator('#slides section').count());
     }));
+
+/* With every answer open. Where a slide is higher than the window, it begins at its top. */
+for (const [kind, file, window] of [['dark', 'step08_projection', {...desktop, colorScheme: 'dark'}],
+                                    ['phone', 'step03_triangle', phone]]) {
+    test(`slides can be read and turned without keys: ${kind}`, () =>
+        on(served(`${file}/index.html`), window, async page => {
+            await page.locator('header a:text-is("Slides")').click();
+            await page.evaluate(axe.source);
+            const count = await page.locator('#slides section').count();
+            assert.equal(await page.locator('#slides pre').count(), await page.locator('main:not(#slides) pre').count()); /* none twice */
+            for (let i = 1; i <= count; i++) {
+                const found = await page.evaluate(async () => {
+                    const slide = document.querySelector('.shown'), wrong = [];
+                    slide.querySelectorAll('details').forEach(answer => answer.open = true);
+                    for (const {id, nodes} of (await axe.run()).violations) wrong.push(id, ...nodes.map(node => node.html));
+                    if (slide.scrollWidth > slide.clientWidth) wrong.push('wider than the window');
+                    if (slide.firstElementChild.getBoundingClientRect().top < 0) wrong.push('its heading is cut');
+                    if (document.activeElement !== slide) wrong.push('the focus is elsewhere');
+                    for (const program of slide.querySelectorAll('pre')) {
+                        const size = parseFloat(getComputedStyle(program).fontSize);
+                        if (size < 14 || size < 24 && innerWidth > 1000 && program.style.getPropertyValue('--columns') < 60) wrong.push(`${size}px`);
+                    }
+                    for (const button of document.querySelectorAll('#slides button')) {
+                        const {width, height, bottom} = button.getBoundingClientRect();
+                        if (Math.min(width, height) < 44 || bottom > innerHeight) wrong.push(button.ariaLabel);
+                    }
+                    return wrong;
+                });
+                assert.deepEqual(found, [], `slide ${i}`);
+                if (i % 12 === 3) await page.screenshot({path: `${pictures}/slides_${kind}_${i}.png`});
+                await page.getByRole('button', {name: 'Next slide'}).click();
+            }
+            assert.equal(new URL(page.url()).hash, `#slide=${count}`);
+            await page.getByRole('button', {name: 'Previous slide'}).click();
+            assert.equal(await page.locator('#slides nav span').textContent(), `${count - 1} / ${count}`);
+            await page.getByRole('button', {name: 'Back to the text'}).click();
+            assert.equal(await page.isVisible('main:not(#slides)'), true);
+            await page.locator('header a:text-is("Slides")').click();
+            await page.goBack();
+            assert.equal(await page.isVisible('main:not(#slides)'), true);
+        }));
+}
