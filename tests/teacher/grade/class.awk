@@ -12,7 +12,7 @@ END {
         sub(/ .*/, "", word)
         if (!sub(/^[A-Z]+ /, "", reason)) reason = ""
         if (look_at[name] != "") reason = "look at " look_at[name]
-        if (versions(name) != "") reason = reason (reason == "" ? "" : "; ") "by one: " versions(name)
+        if (versions(name) != "") reason = reason (reason == "" ? "" : "; ") "same student: " versions(name)
         gsub(/"/, "\"\"", reason)
         printf "%s,%s,%d,%d", name, word, total(name), total_most()
         if (any_hidden) printf ",%d,%d", hidden[name], hidden_most[name]

@@ -8,12 +8,28 @@ function html(text) {
     return text
 }
 
+# A name as people write it, where its %XX are UTF-8 without control characters.
+function readable(name,    text, rest) {
+    text = ""
+    for (rest = name; match(rest, /%[0-9A-F][0-9A-F]/); rest = substr(rest, RSTART + 3))
+        text = text substr(rest, 1, RSTART - 1) letter[substr(rest, RSTART + 1, 2)]
+    text = rest = text rest
+    gsub(/[\302-\337][\200-\277]|[\340-\357][\200-\277][\200-\277]|[\360-\364][\200-\277][\200-\277][\200-\277]/, "", rest)
+    return html(rest ~ /[\001-\037\177-\377]/ || name ~ /%(00|C2%[89])/ ? name : text)
+}
+
 # Names hold % for what is no plain letter, which a link has to say once more.
 function link_to(name,    address) {
     address = name
     gsub(/%/, "%25", address)
     return "<a href=\"submissions/" address "/" (state[name] ~ /^GRADED/ ? "report.html" : "log") \
-        "\">" name "</a>"
+        "\"><bdi>" readable(name) "</bdi></a>"
+}
+
+function links_to(list,    i, many, name, text) {
+    many = split(list, name, " ")
+    for (i = 1; i <= many; i++) text = text (i > 1 ? ", " : "") link_to(name[i])
+    return text
 }
 
 function class_of(state) {
@@ -26,14 +42,25 @@ function print_head() {
     print "<title>The class</title><style>"
     print ":root { color-scheme: light dark; --pass: #1a7f37; --todo: #8c959f; --fail: #bc4c00;"
     print "    --error: #8250df; }"
-    print "body { font: 15px/1.5 sans-serif; margin: 1em auto; max-width: 60em; padding: 0 1em; }"
+    print "body { font: 15px/1.5 sans-serif; margin: 1em auto; max-width: 60em; padding: 0 1em;"
+    print "    background: Canvas; color: CanvasText; }"
     print "table { border-collapse: collapse; } td, th { padding: 2px 8px; text-align: left; }"
-    print "td.number { text-align: right; white-space: nowrap; }"
-    print ".wide { overflow-x: auto; } .bar { display: flex; width: 16em; height: 1em; }"
+    print "td, th { vertical-align: top; } td.number { text-align: right; white-space: nowrap; }"
+    print ".wide { overflow-x: auto; } .bar { display: flex; width: min(16em, 30vw); height: 1em; margin: 4px 0; }"
     print ".pass { background: var(--pass); } .todo { background: var(--todo); }"
     print ".fail { background: var(--fail); } .error { background: var(--error); }"
     print ".key span { display: inline-block; width: 1em; height: 1em; vertical-align: -2px; }"
-    print ".who { font-size: 13px; }</style></head><body>\n<h1>The class</h1>"
+    print ".who { font-size: 13px; } bdi { overflow-wrap: anywhere; } td:has(bdi) { min-width: 9em; }"
+    print "@media (max-width: 40em) { .wide { font-size: 13px; } td, th { padding: 2px 4px; } }"
+    print "</style></head><body><main>\n<h1>The class</h1>"
+}
+
+# A table in a box of its own, which may be wider than the page: its heading.
+function open_table(titles,    i, many, title) {
+    printf "<div class=\"wide\"><table>\n<tr>"
+    many = split(titles, title, ",")
+    for (i = 1; i <= many; i++) printf "<th>%s</th>", title[i]
+    print "</tr>"
 }
 
 function print_points(    n, i, all, least, row) {
@@ -56,8 +83,7 @@ function print_tasks(    t, n, i, task, name, sum, count, kinds, kind) {
     print "<h2>Tasks</h2>\n<p class=\"key\"><span class=\"pass\"></span> passed"
     print "<span class=\"todo\"></span> still to do <span class=\"fail\"></span> wrong"
     print "<span class=\"error\"></span> does not build, crashes or takes too long</p>"
-    print "<div class=\"wide\"><table><tr><th>task</th><th>lesson</th><th>mean</th><th>of</th>"
-    print "<th>how it went</th></tr>"
+    open_table("task,lesson,mean,of,how it went")
     for (t = 1; t <= task_count; t++) {
         task = tasks[t]
         sum = 0
@@ -69,7 +95,8 @@ function print_tasks(    t, n, i, task, name, sum, count, kinds, kind) {
         }
         printf "<tr><td>%s</td><td>%s</td><td class=\"number\">%.1f</td>" \
             "<td class=\"number\">%d</td>", task, step_of[task], sum / name_count, most[task]
-        printf "<td><div class=\"bar\">"
+        printf "<td><div class=\"bar\" role=\"img\" aria-label=\"%d passed, %d to do, %d wrong, %d with an error\">", count["pass"],
+            count["todo"], count["fail"], count["error"]
         for (i = 1; i <= 4; i++) {
             kind = kinds[i]
             if (count[kind])
@@ -83,7 +110,8 @@ function print_tasks(    t, n, i, task, name, sum, count, kinds, kind) {
 
 function print_looks(    i, k, best, part, who, many, shown) {
     if (looks_total == 0) return
-    print "<h2>Most frequent diagnoses</h2>\n<div class=\"wide\"><table>"
+    print "<h2>Most frequent diagnoses</h2>"
+    open_table("how many,lesson,diagnosis")
     for (shown = 0; shown < 20; shown++) {
         best = ""
         for (k = 1; k <= looks_total; k++)
@@ -103,14 +131,15 @@ function print_looks(    i, k, best, part, who, many, shown) {
 # The largest groups first.
 function print_groups(    one, root, best, shown, lesson, count) {
     print "<h2>Submissions that are alike</h2>"
-    for (one = 1; one <= not_compared_count; one++) print "<p>" html(not_compared[one]) "</p>"
+    for (one = 1; one <= not_compared_count; one++) print "<p>" readable(not_compared[one]) "</p>"
     if (pair_count == 0) return
-    print "<p>Each of a group is the same as another one of it, except for names, numbers, comments and"
-    print "white space: so many per cent, or more, of what the shorter one has besides the starter. Look at"
-    print "both before you judge. In a short task right programs are often alike, and a large group says so."
+    print "<p>Each of a group shares at least this part of its text with another one of it. Names, numbers, comments,"
+    print "white space and the lines of the starter don't count. Look at both before you judge: in a short task right"
+    print "programs are often alike, and a large group says so."
     print "<a href=\"similar.csv\">similar.csv</a> has all pairs (" pair_count "). The lines that"
     print "agree: <code>sim_c -r 16 -d submissions/ONE/sources/LESSON/main.c"
-    print "submissions/OTHER/sources/LESSON/main.c</code></p>\n<div class=\"wide\"><table>"
+    print "submissions/OTHER/sources/LESSON/main.c</code></p>"
+    open_table("lesson,how many,shared,who")
     for (one in above) {
         root = group_of(one)
         lesson[root] = substr(one, 1, index(one, "\t") - 1)
@@ -138,21 +167,23 @@ function members(root,    n, one, text) {
 }
 
 function print_names(    n, name) {
-    print "<h2>Submissions</h2>\n<div class=\"wide\"><table><tr><th>submission</th><th>points</th>"
-    print (any_hidden ? "<th>hidden scenes</th>" : "") "<th>state</th></tr>"
+    print "<h2>Submissions</h2>"
+    open_table("submission,points," (any_hidden ? "hidden scenes," : "") "state")
     for (n = 1; n <= name_count; n++) {
         name = names[n]
         printf "<tr><td>%s</td><td class=\"number\">%d/%d</td>", link_to(name), total(name),
             total_most()
-        if (any_hidden) printf "<td class=\"number\">%d/%d</td>", hidden[name], hidden_most[name]
+        if (any_hidden)
+            printf "<td class=\"number\">%s</td>", hidden_most[name] ? hidden[name] "/" hidden_most[name] : ""
         print "<td>" html(state[name]) \
             (look_at[name] == "" ? "" : ": look at " html(look_at[name])) \
-            (versions(name) == "" ? "" : "; by one: " html(versions(name))) "</td></tr>"
+            (versions(name) == "" ? "" : "; same student: " links_to(versions(name))) "</td></tr>"
     }
     print "</table></div>"
 }
 
 END {
+    for (i = 1; i < 256; i++) letter[sprintf("%02X", i)] = sprintf("%c", i)
     sort_tasks()
     print_head()
     print "<p>" name_count " submissions. <a href=\"class.csv\">class.csv</a> has their points, a"
@@ -162,5 +193,5 @@ END {
     print_looks()
     print_groups()
     print_names()
-    print "</body></html>"
+    print "</main></body></html>"
 }

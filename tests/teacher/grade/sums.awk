@@ -103,7 +103,9 @@ function total_most(    t, sum) {
 }
 
 # The other versions by the same student, where one calls itself late.
-function versions(name,    by) {
+function versions(name,    by, all, i, many, others) {
     by = person(name)
-    return late[by] && handed_in[by] ~ / / ? handed_in[by] : ""
+    many = late[by] ? split(handed_in[by], all, " ") : 0
+    for (i = 1; i <= many; i++) if (all[i] != name) others = others (others == "" ? "" : " ") all[i]
+    return others
 }

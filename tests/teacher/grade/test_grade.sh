@@ -74,7 +74,7 @@ for file in report.html report.xml report.json log hidden sources; do
     [ -e "../out/submissions/a%20b/$file" ] || wrong "a b has no $file"
 done
 grep -q 'looks like &quot;x and y exchanged' ../out/index.html || wrong "the page has no diagnosis"
-grep -q 'href="submissions/a%2520b/report.html">a%20b<' ../out/index.html || wrong "no link to a b"
+grep -q 'href="submissions/a%2520b/report.html"><bdi>a b</bdi><' ../out/index.html || wrong "no link to a b"
 left=$(find build -maxdepth 1 -name 'grade.*'; find ../out -name '.[gm]*')
 [ -z "$left" ] || wrong "left behind: $left"
 
@@ -142,7 +142,7 @@ if command -v sim_c >/dev/null; then
     listed=$(sed -E 's/^([89][0-9]|100),//' ../alike/similar.csv | LC_ALL=C sort | tr '\n' ' ')
     [ "$listed" = "percent,lesson,submission,submission step01_line,a%20b,copy \
 step01_line,a%20b,solution step01_line,copy,solution " ] || wrong "alike: $(cat ../alike/similar.csv)"
-    grep -qE '>step01_line</td><td[^>]*>3</td><td[^>]*>[89][0-9] %</td><td>.*>a%20b</a>, .*>copy</a>, .*>solution</a><' \
+    grep -qE '>step01_line</td><td[^>]*>3</td><td[^>]*>[89][0-9] %</td><td>.*>a b</bdi></a>, .*>copy</bdi></a>, .*>solution</bdi></a><' \
         ../alike/index.html || wrong "the page does not list the copy"
     for reason in 'zeros, step01_line keeps sim_c from its work' \
         'long, step01_line is longer than 32768 bytes'; do

@@ -42,7 +42,7 @@ limited() {
     else
         (cd "$from" && "$@" </dev/null >"$from.said" 2>&1)
     fi || {
-        [ -n "$why" ] || why=$(sed -n '/\.\./p; 1p' "$from.said" 2>/dev/null | sed 1q)
+        [ -n "$why" ] || why=$(sed -n '/^\[/d; s/^ *//; /\.\./p; 1,2p' "$from.said" 2>/dev/null | sed 1q)
         nothing "cannot be unpacked${why:+: $why}"
     }
     chmod -R u+rwX "$from" 2>/dev/null

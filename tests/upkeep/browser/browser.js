@@ -288,3 +288,15 @@ on('open.html', desktop, 'make open', async () => {
     await press('d');
     assert.ok((await values()).includes('136 pixels differ'), await values());
 });
+
+/* Three groups, of names that are long, in the window of a desk and of a telephone. */
+for (const [kind, window] of Object.entries({light: desktop, dark: {...desktop, colorScheme: 'dark'}, phone})) {
+    on('class.html', window, `a class, ${kind}`, async () => {
+        await judgeLayout();
+        assert.equal(await page.locator('h2:text("alike") ~ div >> nth=0 >> tr').count(), 4);
+        const first = await page.locator('a bdi').first().textContent();
+        assert.ok(await page.getByText('Müller-Hohenwartenberger Jörg_7_assignsubmission_file').first().isVisible(), first);
+        const narrow = await page.locator('td:has(bdi)').evaluateAll(all => all.map(cell => cell.offsetWidth).filter(width => width < 100));
+        assert.deepEqual(narrow, []);
+    });
+}

@@ -1,6 +1,6 @@
 #!/bin/sh
-# Can others read the reports of `make check REPORT=`? And do its page, that of `make open`, and those
-# of `make live` and `make site` do what they say? All are tried with tools that nobody here wrote.
+# Can others read the reports of `make check REPORT=`? And do its page, that of `make open`, of a class, and
+# those of `make live` and `make site` do what they say? All are tried with tools that nobody here wrote.
 # The check judges lessons that are right, wrong as two known mistakes are, still to do, crash, and do
 # not build, with a message that no format likes and that is a page's own script.
 #
@@ -63,10 +63,29 @@ judge_formats() {
         python3 tests/upkeep/browser/formats.py "$PAGES/report"
 }
 
+# The page of a class without one: lines as merge.sh makes them, of results, diagnoses and groups.
+class_page() {
+    awk 'BEGIN {
+        OFS = "\t"
+        split("PASS TODO FAIL CRASH", state, " ")
+        for (n = 1; n <= 30; n++) {
+            name = n % 7 ? "student%20" n : "M%C3%BCller-Hohenwartenberger%20J%C3%B6rg_" n "_assignsubmission_file"
+            print name, "state", n % 11 ? "GRADED" : "ERROR holds no main.c of a lesson: found `a.c`; hand in step01_line/main.c"
+            print name, "task", "step08_projection", "8b.1", state[n % 4 + 1], n, 30
+            print name, "hidden", "step08_projection", n % 5, 5
+            print name, "looks", "step08_projection", "\"y <counted> from the top\""
+            if (n > 3) print "-", "alike", 75 + n % 20, "step08_projection", before[n % 3], name
+            before[n % 3] = name
+        }
+        print "student%201_late", "state", "GRADED"
+        print "student%201_late", "look", "step08_projection: draws the reference where another picture is asked for: 3"
+    }' | LC_ALL=C awk -F '\t' -f tests/teacher/grade/sums.awk -f tests/teacher/grade/page.awk >"$PAGES/class.html"
+}
+
 # playwright-core drives the browser, and axe-core knows what people cannot read. The page of `make
 # open` has a picture of one red pixel, which should be two lines.
 judge_pages() {
-    make -s build/compare_page &&
+    class_page && make -s build/compare_page &&
         (cd tests/reference/step01_line &&
             ../../../build/compare_page "$PAGES/open.html" title pixel pixel.png line.png) &&
         node --test tests/upkeep/browser/browser.js && judge_live
