@@ -37,24 +37,6 @@ static inline void tangent_varyings(const struct model *model, size_t face, size
     }
 }
 
-/* From the values 0..255 of such a map and the axes of a pixel: a normal of any length. */
-static inline struct vec3 tangent_normal_at(const double *varyings, struct vec3 value) {
-    const double u = value.x - 127.5, v = value.y - 127.5, away = value.z - 127.5;
-    return (struct vec3){
-        u * varyings[0] + v * varyings[3] + away * varyings[6],
-        u * varyings[1] + v * varyings[4] + away * varyings[7],
-        u * varyings[2] + v * varyings[5] + away * varyings[8],
-    };
-}
-
-/* The same for several pixels. */
-LANES_INLINE struct lanes3 tangent_normal(const lanes *varyings, struct lanes3 value) {
-    lanes u = value.x - 127.5f, v = value.y - 127.5f, away = value.z - 127.5f;
-    return (struct lanes3){
-        u * varyings[0] + v * varyings[3] + away * varyings[6],
-        u * varyings[1] + v * varyings[4] + away * varyings[7],
-        u * varyings[2] + v * varyings[5] + away * varyings[8],
-    };
-}
+#include "pipeline/tangent_lanes.h"
 
 #endif

@@ -53,6 +53,11 @@ while read -r taught function; do
 done <"$work/given" >"$work/named"
 [ ! -s "$work/named" ] || wrong "$(cat "$work/named")"
 
+# Nor have the headers that a student is told to read the answer of task 10c.1.
+for header in $(sed -n 's|^. \[`\([a-z]*\.h\)`\].*|\1|p' tests/student/README.md); do
+    ! grep -n -- '- 127\.5' "common/$header" || wrong "common/$header has the answer of task 10c.1"
+done
+
 # ---- The check ----
 
 # All that is made of a lesson's main.c is compiled as its own.
