@@ -19,10 +19,19 @@ enum {
     COLUMN_WIDTH = 150  /* of them are shown */
 };
 
+/* Calls that are wrong, and the first of them. */
+struct wrong_calls {
+    size_t count;
+    long first; /* its number */
+    enum result_state state;
+    struct result_text message;
+};
+
 /* A task of which functions are called. */
 struct called_task {
     struct item_result *item;
-    size_t called, wrong; /* calls */
+    size_t called;                    /* calls */
+    struct wrong_calls values, ended; /* with another value; that never came back */
     char marked[TASK_NAME_LIMIT + 1];
 };
 
@@ -82,14 +91,15 @@ static size_t split(char *line, char *columns[NUMBER_COLUMNS]) {
 /* The call, what is right, and what yours does; only of the first that is wrong. */
 static void set_wrong(struct called_task *task, char *columns[NUMBER_COLUMNS],
                       enum result_state state, const char *what) {
-    struct item_result *item = task->item;
-    task->wrong++;
-    if (task->wrong == 1) {
-        item->state = state;
-        result_say(&item->message, "%.*s must be %.*s: %s%.*s", COLUMN_WIDTH, columns[2],
+    struct wrong_calls *calls = state == RESULT_FAIL ? &task->values : &task->ended;
+    calls->count++;
+    if (calls->count == 1) {
+        calls->first = strtol(columns[0], NULL, 10);
+        calls->state = state;
+        result_say(&calls->message, "%.*s must be %.*s: %s%.*s", COLUMN_WIDTH, columns[2],
                    COLUMN_WIDTH, columns[3], state == RESULT_FAIL ? "yours " : "", COLUMN_WIDTH,
                    what);
-        text_make_printable(item->message.text, ' ');
+        text_make_printable(calls->message.text, ' ');
     }
 }
 
@@ -202,19 +212,72 @@ static void set_not_called(const struct calling *calling, const char *reason) {
     }
 }
 
+/* Can a call of this task end in a function of that other one, whose calls are wrong? Where each
+ * may call the other, as in two parts of one function, the later one is at fault: what was right
+ * before it came stays right. */
+static bool can_end_in(const struct called_task *task, const struct called_task *other) {
+    return other != task && other->values.count + other->ended.count > 0 &&
+           credit_relies_on(task->item->credit, other->item->counter) &&
+           (other > task || !credit_relies_on(other->item->credit, task->item->counter));
+}
+
+/* The first of those; NULL for none. */
+static const struct called_task *find_ending(const struct calling *calling,
+                                             const struct called_task *task) {
+    for (size_t i = 0; i < calling->count; i++) {
+        if (can_end_in(task, &calling->tasks[i])) {
+            return &calling->tasks[i];
+        }
+    }
+    return NULL;
+}
+
+/* The task in whose functions the calls of this one end: it calls them, or what it calls does.
+ * NULL: they end in its own. */
+static const struct called_task *find_culprit(const struct calling *calling,
+                                              const struct called_task *task) {
+    const struct called_task *culprit = find_ending(calling, task), *next = culprit;
+    for (size_t i = 0; next != NULL && next->values.count == 0 && i < calling->count; i++) {
+        culprit = next;
+        next = find_ending(calling, culprit);
+    }
+    return next != NULL ? next : culprit;
+}
+
+/* Calls that have ended in another task's function say nothing about this one. */
+static void judge_task(const struct calling *calling, const struct called_task *task,
+                       const char *source) {
+    struct item_result *item = task->item;
+    const struct wrong_calls *values = &task->values, *ended = &task->ended;
+    const bool left_out = task->called == 0 && !todo_has_task(source, item->counter);
+    const struct called_task *culprit =
+        ended->count > 0 || left_out ? find_culprit(calling, task) : NULL;
+    const size_t own_ends = culprit == NULL ? ended->count : 0, wrong = values->count + own_ends;
+    const bool ends_first = own_ends > 0 && (values->count == 0 || ended->first < values->first);
+    const struct wrong_calls *first = ends_first ? ended : values;
+    if (calling->broken.text[0] != '\0' && wrong == 0) {
+        result_say(&item->message, "%s", calling->broken.text);
+    } else if (wrong > 0) {
+        item->state = first->state;
+        result_say(&item->message, "%s", first->message.text);
+        if (wrong > 1) {
+            result_say(&item->message, " (and %zu more call%s)", wrong - 1, wrong == 2 ? "" : "s");
+        }
+    } else if (task->called > ended->count) {
+        item->state = RESULT_PASS;
+    } else if (culprit != NULL) {
+        item->state = culprit->ended.count > 0 ? culprit->ended.state : RESULT_FAIL;
+        item->spoilt_by = culprit->item->counter;
+        result_say(&item->message, "judged when task %s, whose code it runs, is right",
+                   item->spoilt_by);
+    } else if (left_out) {
+        result_say(&item->message, "not called: what it needs does not return");
+    }
+}
+
 static void finish(const struct calling *calling, const char *source) {
     for (size_t i = 0; i < calling->count; i++) {
-        const struct called_task *task = &calling->tasks[i];
-        if (calling->broken.text[0] != '\0' && task->wrong == 0) {
-            result_say(&task->item->message, "%s", calling->broken.text);
-        } else if (task->wrong > 1) {
-            result_say(&task->item->message, " (and %zu more call%s)", task->wrong - 1,
-                       task->wrong == 2 ? "" : "s");
-        } else if (task->wrong == 0 && task->called > 0) {
-            task->item->state = RESULT_PASS;
-        } else if (task->called == 0 && !todo_has_task(source, task->item->counter)) {
-            result_say(&task->item->message, "not called: what it needs does not return");
-        }
+        judge_task(calling, &calling->tasks[i], source);
     }
 }
 

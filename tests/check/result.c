@@ -15,8 +15,8 @@ const char *result_state_name(enum result_state state) {
 }
 
 const char *result_item_state(const struct item_result *item) {
-    return item->unjudged && item->state != RESULT_TODO ? "NOT JUDGED"
-                                                        : result_state_name(item->state);
+    const bool is_open = item->unjudged || item->spoilt_by != NULL;
+    return is_open && item->state != RESULT_TODO ? "NOT JUDGED" : result_state_name(item->state);
 }
 
 void result_say(struct result_text *text, const char *format, ...) {
@@ -116,15 +116,15 @@ static bool is_wrong(const struct item_result *item) {
     return item->state == RESULT_FAIL || item->state == RESULT_TIME || item->state == RESULT_CRASH;
 }
 
-/* Do these numbers rely on a task whose own numbers are wrong? Then they say nothing. */
-static bool is_spoilt(const struct step_result *result, const struct item_result *numbers) {
-    bool spoilt = false;
+/* Do these numbers need a task whose own numbers are wrong? Then they say nothing. */
+static bool say_nothing(const struct step_result *result, const struct item_result *numbers) {
+    bool nothing = numbers->spoilt_by != NULL;
     for (size_t i = 0; i < result->item_count; i++) {
         const struct item_result *other = &result->items[i];
-        spoilt |= other->is_numbers && is_wrong(other) &&
-                  credit_relies_on(numbers->credit, other->counter);
+        nothing |= other->is_numbers && is_wrong(other) && other->spoilt_by == NULL &&
+                   credit_needs(numbers->credit, other->counter);
     }
-    return spoilt;
+    return nothing;
 }
 
 /* The numbers that show the task wrong; NULL where none do. */
@@ -133,7 +133,7 @@ static const struct item_result *find_wrong_numbers(const struct step_result *re
     for (size_t i = 0; i < result->item_count; i++) {
         const struct item_result *item = &result->items[i];
         if (item->is_numbers && is_wrong(item) && strcmp(item->counter, task) == 0 &&
-            !is_spoilt(result, item)) {
+            !say_nothing(result, item)) {
             return item;
         }
     }
@@ -351,7 +351,8 @@ static bool has_evidence(const struct step_result *result) {
 static bool earns_share(const struct step_result *result, const struct item_result *item,
                         const char *task) {
     if (item->is_numbers) {
-        return item->state == RESULT_PASS && has_evidence(result);
+        const bool is_spoilt = item->spoilt_by != NULL && is_wrong(item);
+        return (item->state == RESULT_PASS || is_spoilt) && has_evidence(result);
     }
     const struct culprits culprits = find_culprits(result, item);
     return item->state == RESULT_PASS ||

@@ -47,6 +47,8 @@ struct item_result {
     /* "" for a picture; of relations "drawn again (moved, halved)"; of numbers the task. */
     const char *counter;
     bool is_numbers;
+    /* Of numbers whose calls all end badly, but in functions of another task: that one; or NULL. */
+    const char *spoilt_by;
     const struct credit *credit;
     const struct checked_item *rule; /* the table's line: how it is judged */
     enum result_state state;
@@ -94,7 +96,7 @@ struct item_result {
  *
  * A task keeps its points of an item that is wrong where the fault is known to be another task's,
  * and its own calls are right. Calls give points as soon as there is a picture that passes, or none
- * that is wrong for an unknown reason. */
+ * that is wrong for an unknown reason; also calls that end in a function of another task. */
 struct task_result {
     struct task_name name;
     enum result_state state; /* the worst of those of the items that may be its fault */
@@ -135,7 +137,8 @@ struct check_result {
 /* The word for it: "PASS", "TODO", ... */
 const char *result_state_name(enum result_state state);
 
-/* An item's word for a reader: "NOT JUDGED" where it fails only because its picture does. */
+/* An item's word for a reader: "NOT JUDGED" where it fails only because its picture does, or calls
+ * because another task's do. */
 const char *result_item_state(const struct item_result *item);
 
 /* A result for that many steps; false when memory runs out. */

@@ -39,6 +39,32 @@ says '  numbers 1.4 PASS'
 checked 1 "$length" 'return (size_t)(width > height ? width : height);' # the array of the list is one too short
 says ': memory was written outside of an array: '
 
+
+# ---- A call that ends in another task's function ----
+
+# 1.4 calls what 1.2 writes, and keeps the point of its calls.
+step='walk->u++;'
+checked 1 "$step" 'walk->u = walk->u_last = *(volatile int *)0;'
+says '  numbers 1.2 CRASH 0/1: line(image, (0, 0), (5, 2), white) must be '
+says '  numbers 1.4 NOT JUDGED 1/1: judged when task 1.2, whose code it runs, is right'
+says 'next: task 1.2'
+checked 1 "$step" ';'
+says '  numbers 1.2 TIME 0/1: line(image, (0, 0), (5, 2), white) must be '
+says '  numbers 1.4 NOT JUDGED 1/1: judged when task 1.2, whose code it runs, is right'
+checked 1 "$step" 'walk->u = walk->u_last = *(volatile int *)0; // to do 1.4'
+says '  numbers 1.4 TODO 0/1: task 1.4 is to do'
+list='list[count++] = walk_pixel(&walk);'
+checked 1 "$list" "*(volatile int *)0 = 1, $list"
+says '  numbers 1.2 PASS 1/1'
+says '  numbers 1.4 CRASH 0/1: line_list((0, 0), (5, 2), list) must be '
+# Of two parts of one function the later one is at fault.
+cp tests/check/scenes.txt "$work/scenes.txt"
+sed 's/^\(call .* \)1\.2 /\11.2~1.4 /' "$work/scenes.txt" >tests/check/scenes.txt
+checked 1 "$step" 'walk->u = walk->u_last = *(volatile int *)0;'
+says '  numbers 1.2 NOT JUDGED 1/1: judged when task 1.4, whose code it runs, is right'
+says '  numbers 1.4 CRASH 0/1: line_list((0, 0), (5, 2), list) must be '
+cp "$work/scenes.txt" tests/check/scenes.txt
+
 checked 1 "$length" 'int zero = 0; return 1 / zero;'
 said_by 1 make -s check STEP=01 MARCH= CFLAGS=-O0 CHECK_TIMEOUT=20 SANITIZE=1
 says '  numbers 1.3 CRASH 0/1: line_length((0, 0), (5, 2)) must be 6: step01_line/main.c:'

@@ -24,7 +24,8 @@ static size_t read_tasks(struct task_name *tasks, const char *text) {
 
 /* "KIND TASKS NEEDS STATE LOOKS": what is wrong is FAIL, or CRASH; NEEDS behind a ~ are spoilers;
  * LOOKS are the tasks of the mistakes that it looks like. A `counter` or one that is `unjudged` is
- * about no picture; in one that is `blank` nothing is drawn; `numbers` are those of one task. */
+ * about no picture; in one that is `blank` nothing is drawn; `numbers` are those of one task, and
+ * `spoilt` ones end in functions of task 1.1. */
 static void read_item(struct item_result *item, struct credit *credit, const char *text) {
     char kind[LINE_LIMIT], tasks[LINE_LIMIT], needs[LINE_LIMIT], state[LINE_LIMIT],
         looks[LINE_LIMIT];
@@ -39,7 +40,8 @@ static void read_item(struct item_result *item, struct credit *credit, const cha
     item->only_may_be = strcmp(kind, "blank") == 0;
     item->counter = strcmp(kind, "picture") == 0 || item->only_may_be ? "" : "counted";
     item->unjudged = strcmp(kind, "unjudged") == 0;
-    item->is_numbers = strcmp(kind, "numbers") == 0;
+    item->spoilt_by = strcmp(kind, "spoilt") == 0 ? "1.1" : NULL;
+    item->is_numbers = strcmp(kind, "numbers") == 0 || item->spoilt_by != NULL;
     item->counter = item->is_numbers ? credit->tasks[0].text : item->counter;
     item->state = strcmp(state, "PASS") == 0   ? RESULT_PASS
                   : strcmp(state, "FAIL") == 0 ? RESULT_FAIL
@@ -180,7 +182,13 @@ static void test_numbers_blame(void) {
         /* of a later task: where its fault can show */
         {{"picture 1.1 - FAIL -", "numbers 1.2 - FAIL -"}, "1.1 FAIL, 1.2 FAIL"},
         {{"picture 1.1 ~1.2 FAIL -", "numbers 1.2 - FAIL -"}, "1.1, 1.2 FAIL"},
-        {{"numbers 1.1 ~1.2 FAIL -", "numbers 1.2 - FAIL -"}, "1.1, 1.2 FAIL"},
+        /* other numbers are the task's own; calls that end badly may not be */
+        {{"numbers 1.1 ~1.2 FAIL -", "numbers 1.2 - FAIL -"}, "1.1 FAIL, 1.2 FAIL"},
+        {{"numbers 1.1 - CRASH -", "spoilt 1.2 ~1.1 CRASH -"}, "1.1 CRASH, 1.2"},
+        {{"picture 1.1,1.2 - CRASH -", "numbers 1.1 - CRASH -", "spoilt 1.2 ~1.1 CRASH -"},
+         "1.1 CRASH, 1.2"},
+        {{"picture 1.1,1.2 - CRASH -", "numbers 1.1 1.2 CRASH -", "spoilt 1.2 ~1.1 CRASH -"},
+         "1.1 CRASH, 1.2"},
     };
     check_blame(cases, sizeof cases / sizeof cases[0]);
 }
@@ -219,6 +227,9 @@ static void test_points(void) {
           "numbers 1.2 - PASS -"},
          "1 2"},
         {{"picture 1.1,1.2 - TODO -", "numbers 1.1 - PASS -"}, "1 0"},
+        /* calls that end in another task's function keep their point, and show nothing */
+        {{"picture 1.1,1.2 - CRASH -", "numbers 1.1 - CRASH -", "spoilt 1.2 ~1.1 CRASH -"}, "0 1"},
+        {{"picture 1.1,1.2 - TODO -", "numbers 1.1 - CRASH -", "spoilt 1.2 ~1.1 TODO -"}, "0 0"},
     };
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         CHECK_TEXT(points_of(cases[i].items).text, cases[i].points);

@@ -567,11 +567,8 @@ static struct shown called_drawn_visibly(bool by_parts, int height, int band_row
 /* A row of a task that has your place_face() place its faces: it's right where these aren't
  * whole. */
 #define PLACED_BY_YOU(task, name, call, right, own)                                                \
-    do {                                                                                           \
-        const bool whole_ones = called_places_whole_faces();                                       \
-        TEXT_WITH(task, name, whole_ones ? (call) : show("-"), right,                              \
-                  whole_ones ? (own) : show("-"));                                                 \
-    } while (0)
+    TEXT_WITH(task, name, called_places_whole_faces() ? (call) : show("-"), right,                 \
+              called_places_whole_faces() ? (own) : show("-"))
 #define ASKED(cull, right)                                                                         \
     PLACED_BY_YOU("9a.3+9a.1", "simple_draw(), " #cull, called_asked_by_draw(cull), right,         \
                   called_asked_of_placed(cull))
