@@ -124,10 +124,12 @@ verify 1
 says 'WRONG step01_line/solution: FAIL [0-9]*/.*; pixel FAIL 0/1: no drawn pixel is right (must be exact)'
 says 'step01_line  *0/0  *0/0  *0/0  *2/5  to do  *wrong'
 mv step01_line/main.c.old step01_line/main.c
-sed -i.old 's/ 1\.3,1\.4~1\.2 / 1.4~1.2     /; s/1\.5+1\.3,1\.4~/1.5+1.4~/' tests/check/scenes.txt
+sed -i.old 's/ 1\.3,1\.4~1\.2 / 1.4~1.2     /; s/1\.5+1\.3,1\.4~/1.5+1.4~/
+    s/^\(step01_line *far *\)1\.2 /\11.2,1.5 /' tests/check/scenes.txt
 verify 1
 says 'WRONG step01_line without 1.3: CRASH [0-9]*/.*; list CRASH 0/'
-says 'step01_line  *0/0  *0/0  *0/0  *4/5  to do  *exact'
+says 'UNEARNED step01_line without 1.5: TODO [0-9]*/.* 1.5 TODO 1/'
+says 'step01_line  *0/0  *0/0  *0/0  *3/5  to do  *exact'
 mv tests/check/scenes.txt.old tests/check/scenes.txt
 cp step01_line/main.c main.c
 awk -v mode=solution -v name=step01_line/main.c -f tests/student/marks.awk main.c \

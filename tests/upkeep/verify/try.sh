@@ -132,6 +132,13 @@ judge_whole() {
     [ -z "$unfair" ] || finding UNFAIR "task $task, but $unfair"
 }
 
+# Where a task is undone, everything that fails needs it; and it has no points.
+judge_undone() {
+    case $said in
+    *" $name TODO "[1-9]*/* | *" $name "[1-9]*/*) finding UNEARNED "$said" ;;
+    esac
+}
+
 judge() {
     case $kind:$status:$said in
     mistake:1:BUILD*) finding ERROR "$said" ;;
@@ -143,7 +150,8 @@ judge() {
         esac
         judge_whole
         ;;
-    undone:1:TODO\ * | undone:1:BUILD*) ;; # everything that fails needs it, or nothing can be built
+    undone:1:BUILD*) ;; # nothing can be judged
+    undone:1:TODO\ *) judge_undone ;;
     starter:1:TODO\ 0/* | accept:0:* | solution:0:*' exact') ;; # as it should be
     mistake:0:*) finding PASSES "${said#PASS } ($says)$(describe_others)" ;;
     accept:1:*) finding FAILS "$said ($says)" ;;
