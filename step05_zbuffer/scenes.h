@@ -1,6 +1,4 @@
-/*
- * Lesson 5, the given part: the pictures of README.md, and the program.
- */
+/* Lesson 5, the given part: the pictures of README.md, and the program. */
 
 /* ---- Scene: rows ---- */
 

@@ -1,6 +1,4 @@
-/*
- * Lesson 8, the given part: the pictures of README.md, and the program.
- */
+/* Lesson 8, the given part: the pictures of README.md, and the program. */
 
 /* From NDC to a part of the image: the viewport, moved there. */
 static struct mat4 area_to_screen(struct rectangle area) {
@@ -251,8 +249,8 @@ static bool make_tiles(struct texture *texture, struct error *error) {
     return done;
 }
 
-/* The corners of face 0, 1 ... of some quads, two in each: 0 1 2, and 0 2 3. All normals point to the
- * light, so that the tiles have their own colours. */
+/* The corners of face 0, 1 ... of some quads, two in each: 0 1 2, and 0 2 3. All normals point to
+ * the light, so that the tiles have their own colours. */
 static void fetch_quad_face(const struct quad *quads, size_t face, struct vec3 light,
                             struct face_corner corner[3]) {
     for (size_t i = 0; i < 3; i++) {

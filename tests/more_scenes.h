@@ -46,7 +46,8 @@ int MORE_MAIN(int argc, char **argv) {
 }
 
 /* Run the program with these scenes, too. One that has the name of a scene of the lesson takes its
- * place: its values and what draws it. The others are trials: drawn when --only names them, or all. */
+ * place: its values and what draws it. The others are trials: drawn when --only names them, or
+ * all. */
 static inline int main_with(const struct program *program, const struct scene *more, size_t count,
                             int argc, char **argv) {
     struct program whole = *program;

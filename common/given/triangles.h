@@ -16,9 +16,9 @@
 
 /* The top-left rule: does a centre exactly on this edge belong to the triangle? Seen
  * counterclockwise with y up, a left edge goes down and a top edge goes left. Of two triangles that
- * share an edge, exactly one gets the centres on it. The distances lead from the edge's beginning to
- * its end; they are numbers or, element by element, vectors of numbers. (Microsoft, "Direct3D 11
- * Functional Specification".) */
+ * share an edge, exactly one gets the centres on it. The distances lead from the edge's beginning
+ * to its end; they are numbers or, element by element, vectors of numbers. (Microsoft, "Direct3D
+ * 11 Functional Specification".) */
 #define IS_TOP_LEFT(x_distance, y_distance)                                                        \
     (((y_distance) < 0) | (((y_distance) == 0) & ((x_distance) < 0)))
 

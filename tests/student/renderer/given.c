@@ -1,5 +1,5 @@
-/* The frame of what `make renderer` writes: see renderer.awk. What stands here is given; a comment with
- * an @ says where the functions of a lesson go. */
+/* The frame of what `make renderer` writes: see renderer.awk. What stands here is given; a comment
+ * with an @ says where the functions of a lesson go. */
 #include <assert.h>
 #include <ctype.h>
 #include <math.h>
@@ -374,9 +374,11 @@ static bool model_read(struct model *model, const char *path) {
 
 /* @lesson step01_line line: a line */
 
-/* @lesson step02_wireframe struct.side list_sides keep_one_of_each line_inside: each side once, cut to the picture */
+/* @lesson step02_wireframe struct.side list_sides keep_one_of_each line_inside: each side once,
+ * cut to the picture */
 
-/* @lesson step03_triangle triangle_setup triangle_span triangle_weights: the pixels of a triangle */
+/* @lesson step03_triangle triangle_setup triangle_span triangle_weights: the pixels of a triangle
+ * */
 
 /* @lesson step04_flat face_intensity: light on a face */
 
@@ -386,7 +388,9 @@ static bool model_read(struct model *model, const char *path) {
 
 /* @lesson step07_gouraud corner_intensity: light at a corner */
 
-/* @lesson step08_projection projection lookat correct_weights struct.clip_corner struct.polygon POLYGON_LIMIT CLIP_PLANES clip_at_plane BEYOND_NEAR BEYOND_GUARD_BAND find_beyond: perspective, camera, clipping */
+/* @lesson step08_projection projection lookat correct_weights struct.clip_corner struct.polygon
+ * POLYGON_LIMIT CLIP_PLANES clip_at_plane BEYOND_NEAR BEYOND_GUARD_BAND find_beyond: perspective,
+ * camera, clipping */
 
 /* @frame: numbers of one pixel (given) */
 
@@ -486,7 +490,8 @@ struct shader {
 
 #define SHADER(name, ...) static const struct shader name = {__VA_ARGS__}
 
-/* @lesson step09_shaders struct.simple_shader struct.canvas struct.kept_face struct.band keep_faces visible_draw toon_pixel: each visible pixel once */
+/* @lesson step09_shaders struct.simple_shader struct.canvas struct.kept_face struct.band
+ * keep_faces visible_draw toon_pixel: each visible pixel once */
 
 /* @lesson step10_phong struct.uniforms plain textured full weight_mapped turning_light: Phong */
 

@@ -169,8 +169,13 @@ function read_file(    line, code, n) {
         }
         if (item_code == "" && code ~ /^[ \t]*$/) { # a comment, or nothing
             if (line ~ /^[ \t]*$/ && !was_comment) lead = ""
-            else if (file == frame && line ~ /@(lesson|common|frame)/) {
-                directive[item_count, ++directives[item_count]] = line
+            else if (file == frame && (line ~ /@(lesson|common|frame)/ || joined)) {
+                sub(/^ \*/, "", line)
+                joined = joined line
+                if (!in_comment) {
+                    directive[item_count, ++directives[item_count]] = joined
+                    joined = ""
+                }
                 lead = ""
             } else lead = lead line "\n"
             if (line ~ /^\/\* (----|====|BEGIN SOLUTION|END SOLUTION)/) lead = ""
