@@ -36,10 +36,6 @@ static inline size_t attempt_one_direction(const struct model *model, struct sid
 
 /* ---- Lines ---- */
 
-/* As line() and line_inside(): returns how many pixels it has walked over. */
-typedef uint64_t attempt_line(struct image *image, struct pixel a, struct pixel b,
-                              struct color color);
-
 /* Shorten the segment p-q to the part whose coordinate `on` one axis is in least..most; `off` is
  * the coordinate on the other axis. False when nothing is left. */
 static inline bool attempt_shorten(double *p_on, double *p_off, double *q_on, double *q_off,
@@ -61,7 +57,7 @@ static inline bool attempt_shorten(double *p_on, double *p_off, double *q_on, do
 
 /* The usual way: compute where the line crosses the borders of the image, round these points to
  * pixels, and draw a line between them. Wrong: the new line has another slope. It lies within one
- * pixel of the right one, and differs from it in many pixels. */
+ * pixel of the right one, and differs from it in many pixels. Returns how many it walked over. */
 static inline uint64_t attempt_line_ends_rounded(struct image *image, struct pixel a,
                                                  struct pixel b, struct color color) {
     double ax = a.x, ay = a.y, bx = b.x, by = b.y;

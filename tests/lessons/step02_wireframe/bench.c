@@ -8,6 +8,8 @@
 #define LESSON "../step02_wireframe/main.c"
 #include "lesson.h"
 
+#include "../../../step02_wireframe/attempts.h"
+
 #include "bench/bench.h"
 #include "oracle/oracle.h"
 
@@ -55,9 +57,9 @@ static void frame_find_exact(void) {
     for (size_t face = 0; face < model->face_count; face++) {
         for (size_t i = 0; i < 3; i++) {
             struct pixel a, b;
-            struct vec3 p = seen(model_position(model, face, i), enlarged);
-            struct vec3 q = seen(model_position(model, face, (i + 1) % 3), enlarged);
-            if (to_pixel(p, SIDE, SIDE, &a) && to_pixel(q, SIDE, SIDE, &b)) {
+            if (pixel_in_view(model_position(model, face, i), enlarged, &frame.exact, &a) &&
+                pixel_in_view(model_position(model, face, (i + 1) % 3), enlarged, &frame.exact,
+                              &b)) {
                 add_exact_line(&frame.exact, a, b);
             }
         }
@@ -71,9 +73,14 @@ static void frame_find_exact(void) {
 
 enum frame_version { EVERY_TESTED, EVERY_CUT, ONCE_TESTED, ONE_DIRECTION, ENDS_ROUNDED, HOUSE };
 
-/* Which line() draws: number 0 of line_of(), or another one. */
-static const int frame_lines[] = {
-    [EVERY_TESTED] = 1, [ONCE_TESTED] = 1, [ENDS_ROUNDED] = 2, [HOUSE] = 0};
+static line_function *const frame_lines[] = {
+    [EVERY_TESTED] = line,
+    [EVERY_CUT] = line_inside,
+    [ONCE_TESTED] = line,
+    [ONE_DIRECTION] = line_inside,
+    [ENDS_ROUNDED] = attempt_line_ends_rounded,
+    [HOUSE] = line_inside,
+};
 
 /* The sides that it draws. If that is not each of them once, they are listed while time counts. */
 static const struct wireframe *frame_list(int way) {
@@ -93,9 +100,8 @@ static const struct wireframe *frame_list(int way) {
 static void frame_run(struct bench_choice choice) {
     image_clear(&frame.timed, color_grey(0));
     frame.drawing.counter_count = 0;
-    frame.drawing.value[0] = frame_lines[choice.way];
     draw_sides(&frame.drawing, frame_list(choice.way), frame.model.positions, enlarged,
-               line_of(&frame.drawing), &frame.timed);
+               frame_lines[choice.way], &frame.timed);
 }
 
 /* Wrong and missing pixels per 1000. */
@@ -127,14 +133,14 @@ static bool frame_read_model(struct model *model, struct error *error) {
 }
 
 static bool frame_setup(struct error *error) {
-    frame.drawing = (struct drawing){.values = cut_values};
     if (!frame_read_model(&frame.model, error) ||
         !image_create(&frame.timed, SIDE, SIDE, IMAGE_GREY, error) ||
         !image_create(&frame.exact, SIDE, SIDE, IMAGE_GREY, error) ||
-        !wireframe_create(&frame.once, &frame.model, true, error) ||
-        !wireframe_create(&frame.every, &frame.model, false, error)) {
+        !wireframe_create(&frame.once, &frame.model, error) ||
+        !wireframe_create(&frame.every, &frame.model, error)) {
         return false;
     }
+    frame.once.side_count = keep_one_of_each(frame.once.sides, frame.once.side_count);
     frame_find_exact();
     return true;
 }

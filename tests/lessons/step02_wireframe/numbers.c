@@ -46,7 +46,7 @@ static struct shown called_listed(const struct face *faces, size_t face_count) {
     return called_show_sides(sides, 3 * face_count);
 }
 
-/* Behind the sides is the greatest once more, as in scenes.h. */
+/* Behind the sides is the greatest once more: code that reads there takes it for an equal one. */
 static struct shown called_kept(const struct side *sides, size_t count, struct side greatest) {
     struct side list[CALLED_ROOM] = {{0}};
     memcpy(list, sides, count * sizeof *sides);
