@@ -135,7 +135,7 @@ judge_whole() {
 # Where a task is undone, everything that fails needs it; and it has no points.
 judge_undone() {
     case $said in
-    *" $name TODO "[1-9]*/* | *" $name "[1-9]*/*) finding UNEARNED "$said" ;;
+    *[:,]" $name TODO "[1-9]*/* | *[:,]" $name "[1-9]*/*) finding UNEARNED "$said" ;;
     esac
 }
 
