@@ -67,6 +67,31 @@ static struct shown called_as_drawn(struct pixel a, struct pixel b, size_t count
     return called_show_list(list, count);
 }
 
+/* How many pixels line_list() writes, and how many line() sets. */
+static struct shown called_written(struct pixel a, struct pixel b) {
+    struct pixel list[CALLED_ROOM];
+    size_t count = 0;
+    for (size_t i = 0; i < CALLED_ROOM; i++) {
+        list[i] = at(-1, -1);
+    }
+    line_list(a, b, list);
+    for (size_t i = 0; i < CALLED_ROOM; i++) {
+        count += list[i].x != -1 || list[i].y != -1;
+    }
+    return show("%zu", count);
+}
+
+static struct shown called_set(struct pixel a, struct pixel b) {
+    struct image image = black_image(CALLED_ROOM, CALLED_ROOM);
+    size_t count = 0;
+    line(&image, a, b, rgb(255, 255, 255));
+    for (int i = 0; i < CALLED_ROOM * CALLED_ROOM; i++) {
+        count += image_get(&image, i % CALLED_ROOM, i / CALLED_ROOM).r > 0;
+    }
+    image_free(&image);
+    return show("%zu", count);
+}
+
 /* A pixel of the list of a long line, and the one that line() sets there. */
 static struct shown called_one_listed(struct pixel a, struct pixel b, size_t index) {
     struct pixel list[CALLED_ROOM] = {{0}};
@@ -125,6 +150,8 @@ static void numbers(void) {
     LISTED(at(4, 4), at(4, 1), 4, "(4,1) (4,2) (4,3) (4,4)");
     LISTED(at(4, 2), at(1, 2), 4, "(1,2) (2,2) (3,2) (4,2)");
     LISTED(at(1, 4), at(4, 1), 4, "(1,4) (2,3) (3,2) (4,1)");
+    TEXT_WITH("1.4", "line_list((0, 0), (5, 2), list): pixels written",
+              called_written(at(0, 0), at(5, 2)), "6", called_set(at(0, 0), at(5, 2)));
     TEXT_WITH("1.4", "line_list((3, 96), (93, 99), list)[45]",
               called_one_listed(at(3, 96), at(93, 99), 45), "(48,97)",
               called_one_drawn(at(3, 96), at(93, 99), 45));

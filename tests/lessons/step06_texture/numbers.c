@@ -113,13 +113,14 @@ static struct shown called_wide(const struct texture *texture) {
 
 /* ---- Perspective ---- */
 
-/* A triangle of that width and height, each corner with that u, v and 1/w. */
+/* A triangle of that width and height, each corner with that u, v and 1/w. Its depths are for whoever
+ * takes them for 1/w: what follows from the corners can be told from nothing at all. */
 static struct quotients called_begun(int width, int height, struct vec3 p, struct vec3 q,
                                      struct vec3 r) {
     const struct vertex v[3] = {
-        {{128, 128}, 0, xy(p.x, p.y), p.z},
-        {{128 + 256 * width, 128}, 0, xy(q.x, q.y), q.z},
-        {{128, 128 + 256 * height}, 0, xy(r.x, r.y), r.z},
+        {{128, 128}, 2, xy(p.x, p.y), p.z},
+        {{128 + 256 * width, 128}, 3, xy(q.x, q.y), q.z},
+        {{128, 128 + 256 * height}, 5, xy(r.x, r.y), r.z},
     };
     struct quotients plane = {0};
     plane_begin(&plane, &called_sheet, v);
@@ -213,6 +214,23 @@ static struct shown called_own_trilinear(const struct texture *texture, size_t f
                   show_color(called_own_color(&plane, texture)));                                  \
     } while (0)
 
+/* In the triangle of 4 x 2 pixels. It's right, too, where it follows from your corners. */
+#define GAIN(step, other, pixels, wanted)                                                          \
+    do {                                                                                           \
+        const struct vec3 right_one = wanted;                                                      \
+        if (number_begin("6e.1", "plane_begin(), 4 x 2 pixels: " #step,                            \
+                         show_reals(&right_one.x, 3))) {                                           \
+            const struct quotients plane =                                                         \
+                called_begun(4, 2, xyz(0, 0, 1), xyz(1, 0, 1), xyz(0, 1, 1));                      \
+            const struct vec3 of_corners =                                                         \
+                vec3_scale(vec3_sub(plane.corner[other], plane.corner[0]), 1 / (pixels));          \
+            const struct shown yours = show_reals(&plane.step.x, 3);                               \
+            number_end(yours, are_near(&plane.step.x, &right_one.x, 3) ||                          \
+                                  (are_near(&plane.step.x, &of_corners.x, 3) &&                    \
+                                   !says_nothing(yours.text)));                                    \
+        }                                                                                          \
+    } while (0)
+
 static void numbers(void) {
     struct texture four = called_made(4, 3, called_numbered),
                    two = called_made(4, 2, called_drawing),
@@ -263,10 +281,8 @@ static void numbers(void) {
     TRILINEAR(7, 2, 2, 0, "240");
     VECTOR("6e.1", vec2, uv_step(xyz(0.5, 0.25, -0.125), xy(2, -1), 2), xy(1.5, 0.25));
     VECTOR("6e.1", vec2, uv_step(xyz(1, 0, 0), xy(5, 5), 3), xy(3, 0));
-    AS_VECTOR("6e.1", "plane_begin(), 4 x 2 pixels: right", vec3,
-              called_begun(4, 2, xyz(0, 0, 1), xyz(1, 0, 1), xyz(0, 1, 1)).right, xyz(0.25, 0, 0));
-    AS_VECTOR("6e.1", "plane_begin(), 4 x 2 pixels: up", vec3,
-              called_begun(4, 2, xyz(0, 0, 1), xyz(1, 0, 1), xyz(0, 1, 1)).up, xyz(0, 0.5, 0));
+    GAIN(right, 1, 4.0, xyz(0.25, 0, 0));
+    GAIN(up, 2, 2.0, xyz(0, 0.5, 0));
     texture = &wide;
     REAL("6e.2", mip_level(xy(0.25, 0), xy(0, 0.25), texture), 2);
     TEXT("6e.2", "mip_level((0.34375, 0.125), (0, 0), texture) to one place",

@@ -148,6 +148,8 @@ static void numbers(void) {
     REAL("7b.1", integer_power(0.5, 1), 0.5);
     REAL("7b.1", integer_power(3, 0), 1);
     REAL("7b.1", integer_power(2, 16), 65536);
+    REAL("7b.1", integer_power(-2, 3), -8);
+    REAL("7b.1", integer_power(0, 0), 1);
     LIGHT((xyz(0, 0, 0), xyz(0, 0, 1), xyz(-2, 2, 3), xyz(0, 0, 3), &clay),
           called_parts(0.50932, 0.031422));
     LIGHT((xyz(1, 0, 0), xyz(0, 0, 1), xyz(-1, 2, 3), xyz(1, 0, 3), &satin),

@@ -300,6 +300,15 @@ static struct shown called_flat_again(size_t face) {
     return show("%.5g", varyings[0]);
 }
 
+/* The light of two_sided_vertex() on the face whose normal points to us, in a light behind it. */
+static struct shown called_lit_from_behind(void) {
+    struct uniforms u = called_uniforms;
+    double varyings[VARYING_LIMIT] = {0};
+    u.to_light = xyz(0.6, 0, -0.8);
+    two_sided_vertex(&u, CALLED_FRONT, 1, varyings);
+    return show("%.5g", varyings[0]);
+}
+
 static struct vec3 called_pixel_of(called_pixel_function *pixel, struct uniforms u, double a,
                                    double b, double c) {
     const double varyings[VARYING_LIMIT] = {a, b, c};
@@ -473,6 +482,20 @@ static struct shown called_covered(struct span rows, bool depths, double before)
         shown[i] = depths ? depth[i] : nearest[i];
     }
     return called_in_rows(shown, CALLED_WIDTH * (rows.end - rows.begin));
+}
+
+/* The depths of row 1 as a band, after a face whose depth is 0.5 in row 0 and 1.5 in row 1. */
+static struct shown called_covered_upwards(void) {
+    double depth[CALLED_WIDTH];
+    uint32_t nearest[CALLED_WIDTH] = {0};
+    const struct band band = {{1, 2}, CALLED_WIDTH, depth, nearest};
+    struct kept_face kept;
+    called_keep_triangle(&kept, 0, 0, 2048, 4, CALLED_HEIGHT);
+    kept.placed.depth[1] = 0;
+    kept.placed.depth[2] = 8;
+    depth_clear(depth, CALLED_WIDTH);
+    cover_face(&band, &kept, 7);
+    return called_in_rows(depth, CALLED_WIDTH);
 }
 
 /* How often each function of the shader below was called. */
@@ -656,6 +679,7 @@ static void numbers(void) {
     AS_VECTOR("9b.3", "textured_pixel(0.5, 0.25, 0.6), grey 100 at the texture's level", vec3,
               called_pixel_of(textured_pixel, called_at_levels(), 0.5, 0.25, 0.6), xyz(60, 60, 60));
     PIXEL("9b.4", toon_pixel, 0.8001, xyz(255, 155, 0));
+    PIXEL("9b.4", toon_pixel, 0.8, xyz(255, 155, 0));
     PIXEL("9b.4", toon_pixel, 0.7999, xyz(191.25, 116.25, 0));
     PIXEL("9b.4", toon_pixel, 0.1999, xyz(0, 0, 0));
     PIXEL("9b.4", toon_pixel, 1, xyz(255, 155, 0));
@@ -669,6 +693,8 @@ static void numbers(void) {
          called_first_varyings(two_sided_vertex, CALLED_FRONT, 1, 1), "0.8");
     TEXT("9b.6", "two_sided_vertex(face of normal (0, 0, -4))",
          called_first_varyings(two_sided_vertex, CALLED_BACK, 1, 1), "0.8");
+    TEXT("9b.6", "two_sided_vertex(face of normal (0, 0, 4)) in the light (0.6, 0, -0.8)",
+         called_lit_from_behind(), "0.8");
     TEXT("9b.7", "lit_only_pixel(0)", show_truth(called_is_drawn(lit_only_pixel, 0)), "false");
     TEXT("9b.7", "lit_only_pixel(0.001)", show_truth(called_is_drawn(lit_only_pixel, 0.001)),
          "true");
@@ -682,6 +708,7 @@ static void numbers(void) {
     TEXT("9c.1", "textured_fragment(0.5, 0.25, 0.6), grey 100 at the texture's level",
          IN_LANES(called_textured_at_level_in, 0.5, 0.25, 0.6), "60,60,60");
     TOON(0.8001, "255,155,0", 1);
+    TOON(0.8, "255,155,0", 1);
     TOON(0.7999, "191,116,0", 0.75);
     TOON(0.1999, "0,0,0", 0);
     TOON(1, "255,155,0", 1);
@@ -708,6 +735,8 @@ static void numbers(void) {
     COVERED("over depth 1: depths", 0, true, 1, "1 1.5 2.5 / 1 1.5 2.5");
     COVERED("over depth 1.5: numbers", 0, false, 1.5, "0 0 7 / 0 0 7");
     COVERED("in a band of row 1: numbers", 1, false, 1, "0 7 7");
+    TEXT("9d.2", "cover_face() in a band of row 1, where each row is nearer: depths",
+         called_covered_upwards(), "1.5 1.5 1.5");
     SHADED("", 0, 1, called_counting_pixel, CALLED_GREYS, "15 0 35 / 0 145 55");
     SHADED(", in perspective", 0, 4, called_counting_pixel, CALLED_GREYS, "25 0 57 / 0 158 67");
     SHADED(", which discards", 0, 1, called_light_pixel, CALLED_GREYS, "0 0 35 / 0 145 55");

@@ -67,8 +67,8 @@ static const double *called_joined(struct vec3 a, struct vec3 b, struct vec3 c, 
 /* ---- Surfaces ---- */
 
 static struct vec3 positions[] = {{0, 0, 0}, {0.5, 0.5, 0}, {0, 1, 0}};
-static float normals[][3] = {{0, 3, 4}}, uvs[][2] = {{0, 0}, {0.25f, 0.75f}};
-static struct face faces[] = {{{{0, 0, 0}, {1, 1, 0}, {2, 0, 0}}}};
+static float normals[][3] = {{1, 0, 0}, {0, 3, 4}}, uvs[][2] = {{0, 0}, {0.25f, 0.75f}};
+static struct face faces[] = {{{{0, 0, 0}, {1, 1, 1}, {2, 0, 0}}}};
 static const struct model model = {
     .positions = positions, .normals = normals, .uvs = uvs, .faces = faces, .face_count = 1};
 static struct texture called_colors, map, specular;
@@ -263,6 +263,11 @@ static void numbers(void) {
     const struct surface dull = called_surface_of(xyz(200, 100, 50), 0, -1);
     ABOUT("10a.2", "illuminate(), matt", called_illuminated(called_matt, dull), rgb(100, 50, 25),
           called_sum_of(&called_matt, &dull));
+    const struct material light_grey = {0.5, 1, 0, -1, {0, 255, 0}};
+    const struct surface bright_wall = called_surface_of(xyz(100, 50, 150), 0, -1);
+    ABOUT("10a.2", "illuminate(), ambient 0.5, diffuse 1",
+          called_illuminated(light_grey, bright_wall), rgb(130, 65, 195),
+          called_sum_of(&light_grey, &bright_wall));
     const struct material other = {0.1, 1, 0.25, 3, {0, 255, 0}};
     const struct surface bright = called_surface_of(xyz(255, 128, 255), 0.5, 10);
     ABOUT("10a.2+10b.1", "illuminate(), worked example", called_illuminated(other, bright),
