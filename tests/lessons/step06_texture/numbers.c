@@ -113,8 +113,8 @@ static struct shown called_wide(const struct texture *texture) {
 
 /* ---- Perspective ---- */
 
-/* A triangle of that width and height, each corner with that u, v and 1/w. Its depths are for whoever
- * takes them for 1/w: what follows from the corners can be told from nothing at all. */
+/* A triangle of that width and height, each corner with that u, v and 1/w. Its depths are for
+ * whoever takes them for 1/w: what follows from the corners can be told from nothing at all. */
 static struct quotients called_begun(int width, int height, struct vec3 p, struct vec3 q,
                                      struct vec3 r) {
     const struct vertex v[3] = {
