@@ -43,7 +43,7 @@ given() {
     for picture in tests/reference/step01_line/*.png; do
         scene=$(basename "$picture" .png)
         "$build/quick/step01_line" -o "$work" --only "$scene" >/dev/null 2>&1
-        echo "static const unsigned char ${scene}[] = {"
+        echo "static const unsigned char stored_${scene}[] = {"
         od -An -v -tu1 "$work/$scene.tga" | sed 's/  */,/g; s/^,//; s/$/,/'
         echo '};'
     done
@@ -52,7 +52,7 @@ given() {
     echo 'int main(int argc, char **argv) {'
     for picture in tests/reference/step01_line/*.png; do
         scene=$(basename "$picture" .png)
-        echo "    put(\"$scene.tga\", $scene, sizeof $scene);"
+        echo "    put(\"$scene.tga\", stored_$scene, sizeof stored_$scene);"
     done
     echo 'return 0; }'
 } >../class/stored/step01_line/main.c
