@@ -119,13 +119,13 @@ define BUILD_LESSON
 	    echo "$(<D)/$h: error: it hides common/$h: give it another name" >&2; exit 1;) :
 	$(SAY) CC $<
 	$(Q)$(COMPILE) $(TEACHES) $$([ ! -t 2 ] || echo -fdiagnostics-color=always) $(1) \
-	    -MF $@.d -MT $@ -c $(call WITH_MORE,$<,$(3)) -o $@.o 2>$@.said || { $(SAID) >&2; exit 1; }
+	    -MF $@.d -MT $@ $(call WITH_MORE,$<,$(3)) -o $@.o 2>$@.said || { $(SAID) >&2; exit 1; }
 	@[ ! -s $@.said ] || $(SAID) >&2
 	$(Q)$(LINK) $(1) $@.o $(2) $(filter %.a,$^) -lm -o $@.$$$$ && mv -f $@.$$$$ $@
 endef
 # A lesson's main.c with more scenes: trials, which make check judges, or live, under the mouse.
-WITH_MORE = $(or $(addprefix -iquote . -Itests -DLESSON='"$1"' ,\
-                $(wildcard tests/lessons/$(or $3,$(patsubst %/main.c,%,$1))/$2.c)),$1)
+WITH_MORE = $(or $(addprefix -iquote . -Itests -DLESSON='"$1"' -c ,\
+                $(wildcard tests/lessons/$(or $3,$(patsubst %/main.c,%,$1))/$2.c)),-c $1)
 # Where main.c is part of another file, its lines are named as they are without.
 SAID = { $(if $(IN_PLACE),echo;) sed '/^\(In file included\| *\) *from .*tests.\(lesson\|more_scenes\)/d; s|\./\(step[0-9]\)|\1|' $@.said; }
 $(STEPS:%=$(BUILD)/%): $(BUILD)/%: %/main.c $(BUILD)/%.text $(BUILD)/libcommon.a $(BUILD)/flags

@@ -32,7 +32,7 @@ $(BUILD)/hidden: $(BUILD)/tests/teacher/hidden/hidden.o $(CHECKER) $(BUILD)/quic
 
 # A solution, built with what is there. (It has no .d: make would take that for a program to build.)
 $(BUILD)/hidden.% $(BUILD)/solutions/%: force
-	$(Q)$(filter-out -MMD -MP,$(COMPILE)) $(QUICK) -I$(@F) -c $(call WITH_MORE,$(@D)/main.c,trials,$(@F)) -o $@.o
+	$(Q)$(filter-out -MMD -MP,$(COMPILE)) $(QUICK) -I$(@F) $(call WITH_MORE,$(@D)/main.c,trials,$(@F)) -o $@.o
 	$(Q)$(LINK) $@.o $(BUILD)/quick/libcommon.a -lm -o $@
 
 # ---- A class ----

@@ -178,7 +178,7 @@ function read_file(    line, code, n) {
                 }
                 lead = ""
             } else lead = lead line "\n"
-            if (line ~ /^\/\* (----|====|BEGIN SOLUTION|END SOLUTION)/) lead = ""
+            if (line ~ /^\/\* (----|====|(BEGIN|END) SOLUTION)/) lead = ""
             continue
         }
         if (item_code == "" && code ~ /^[ \t]*#/ && code !~ /^#define/) {
