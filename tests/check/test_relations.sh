@@ -8,7 +8,7 @@ lesson=step05_zbuffer
 mkdir -p "$work/tests/reference" && cd "$work" || exit 1
 cp -R "$top/Makefile" "$top/common" "$top/$lesson" . || exit 1
 cp -R "$top/tests/check" "$top/tests/student" "$top/tests/upkeep/verify/replace.awk" tests &&
-    mkdir tests/lessons && cp -R "$top/tests/lessons/$lesson" tests/lessons || exit 1
+    cp "$top"/tests/*.h tests && mkdir tests/lessons && cp -R "$top/tests/lessons/$lesson" tests/lessons || exit 1
 cp -R "$top/tests/reference/$lesson" tests/reference || exit 1
 cp $lesson/main.c main.c
 {

@@ -44,8 +44,8 @@ limited() {
 
 # Are the lesson's pictures those of its program, all of them?
 is_drawn() {
-    [ -f "$out/.drawn" ] &&
-        [ -z "$(find "$build/quick/$lesson" "$build/models/bust.obj" -newer "$out/.drawn" 2>/dev/null)" ]
+    [ -f "$out/.all_drawn" ] &&
+        [ -z "$(find "$build/quick/$lesson" "$build/models/bust.obj" -newer "$out/.all_drawn" 2>/dev/null)" ]
 }
 
 # Pictures of an earlier program go away: what one leaves behind that ends early is its own.
@@ -53,7 +53,7 @@ forget_pictures() {
     if [ -n "$only" ]; then
         rm -f "$out/$only.tga"
     else
-        rm -f "$out/.drawn" "$out"/*.tga
+        rm -f "$out/.drawn" "$out/.all_drawn" "$out"/*.tga
     fi
 }
 
@@ -80,7 +80,7 @@ draw() {
     if [ $status -ne 0 ]; then
         printf '%s\n' "make $target: $lesson $(how_it_ended $status)" >&2
     elif [ -z "$only" ]; then
-        touch "$out/.drawn"
+        touch "$out/.all_drawn"
     fi
 }
 
