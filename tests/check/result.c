@@ -53,7 +53,15 @@ static struct task_result *find_task(struct step_result *result, struct task_nam
     return task;
 }
 
-/* All tasks, in the order in which the items name them. */
+/* By their parts and numbers: "8a.2" is before "8b.1". */
+static int compare_tasks(const void *a, const void *b) {
+    const struct task_result *p = a, *q = b;
+    const char *left = p->name.text + strspn(p->name.text, "0123456789");
+    const char *right = q->name.text + strspn(q->name.text, "0123456789");
+    return strcmp(left, right);
+}
+
+/* All tasks, in the order of the lesson. */
 static void list_tasks(struct step_result *result) {
     for (size_t i = 0; i < result->item_count; i++) {
         const struct credit *credit = result->items[i].credit;
@@ -61,6 +69,7 @@ static void list_tasks(struct step_result *result) {
             find_task(result, credit->tasks[k]);
         }
     }
+    qsort(result->tasks, result->task_count, sizeof *result->tasks, compare_tasks);
 }
 
 bool step_result_begin(struct step_result *result, const struct checked_step *step,

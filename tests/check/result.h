@@ -111,7 +111,7 @@ struct step_result {
     enum result_state state;
     struct item_result *items;
     size_t item_count;
-    struct task_result *tasks; /* in the order in which the items name them */
+    struct task_result *tasks; /* in the order of the lesson */
     size_t task_count;
     size_t passed, pictures_exact; /* items */
     unsigned points, most;
