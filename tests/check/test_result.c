@@ -160,7 +160,7 @@ static void test_needs_excuse(void) {
         {{"picture 1.1 - FAIL -", "picture 1.2 1.1 FAIL -"}, "1.1 FAIL, 1.2 perhaps FAIL"},
         {{"picture 1.1 - FAIL -", "picture 1.11 - PASS -", "picture 1.2 1.11 FAIL -"},
          "1.1 FAIL, 1.11, 1.2 FAIL"},
-        {{"picture 1.2 1.1 FAIL -", "picture 1.1 - CRASH -"}, "1.2 perhaps FAIL, 1.1 CRASH"},
+        {{"picture 1.2 1.1 FAIL -", "picture 1.1 - CRASH -"}, "1.1 CRASH, 1.2 perhaps FAIL"},
         {{"picture 1.1 - FAIL -", "picture 1.2 1.1 FAIL 1.2"}, "1.1 FAIL, 1.2 FAIL"},
         {{"picture 1.1,1.2 - FAIL -", "picture 1.3 1.1 FAIL -", "picture 1.4 1.3 FAIL -"},
          "1.1 perhaps FAIL, 1.2 perhaps FAIL, 1.3 perhaps FAIL, 1.4 perhaps FAIL"},
