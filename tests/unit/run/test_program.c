@@ -194,7 +194,7 @@ static void test_usage(void) {
         {"-s 0x10", "probe: -s wants WxH: each 1 to 16384, not '0x10'\n"},
         {"-s 10x16385", "probe: -s wants WxH: each 1 to 16384, not '10x16385'\n"},
         {"-s 10x0", "probe: -s wants WxH: each 1 to 16384, not '10x0'\n"},
-        {"--only what", "probe: --only wants a scene: dot, film, more, not 'what'\n"},
+        {"--only what", "probe: --only wants a scene or all: dot, film, more, not 'what'\n"},
         {"--format gif", "probe: --format wants a format: tga, png or ppm, not 'gif'\n"},
         {"--eye 1,2", "probe: --eye wants three numbers X,Y,Z, not '1,2'\n"},
         {"--light 1,nan,3",
@@ -971,11 +971,12 @@ static void test_clean_up(void) {
     CHECK(system(command) == 0);
 }
 
+/* --live makes standard output line-buffered: it comes last. */
 UNIT_MAIN(TEST(test_begin), TEST(test_usage), TEST(test_help), TEST(test_extra), TEST(test_formats),
           TEST(test_frames), TEST(test_stats_and_repeat), TEST(test_repeat_time), TEST(test_camera),
-          TEST(test_failures), TEST(test_text_scene), TEST(test_needs), TEST(test_live),
-          TEST(test_description), TEST(test_set), TEST(test_points_and_notes), TEST(test_grey),
-          TEST(test_out_of_view), TEST(test_replaced), TEST(test_tiny_and_wrong),
-          TEST(test_turn_and_sides), TEST(test_details), TEST(test_failing_scenes),
-          TEST(test_end_of_options), TEST(test_unprepared), TEST(test_full_output),
-          TEST(test_text_names), TEST(test_clean_up))
+          TEST(test_failures), TEST(test_text_scene), TEST(test_needs), TEST(test_description),
+          TEST(test_set), TEST(test_points_and_notes), TEST(test_grey), TEST(test_out_of_view),
+          TEST(test_replaced), TEST(test_tiny_and_wrong), TEST(test_turn_and_sides),
+          TEST(test_details), TEST(test_failing_scenes), TEST(test_end_of_options),
+          TEST(test_unprepared), TEST(test_full_output), TEST(test_text_names), TEST(test_live),
+          TEST(test_clean_up))
