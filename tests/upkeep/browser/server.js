@@ -115,7 +115,7 @@ test('no process has the address among its arguments, and the page that has it i
     const seen = `${course}/build/served/seen`;
     await served(async address => {
         await pause(500);
-        const [, page, all] = fs.readFileSync(seen, 'utf8').split('\0');
+        const [, place, all] = fs.readFileSync(seen, 'utf8').split('\0'), page = `${course}/${place}`;
         const token = new URL(address).pathname.split('/')[1];
         assert.ok(!all.includes(token));
         assert.ok(fs.readFileSync(page, 'utf8').includes(address));
