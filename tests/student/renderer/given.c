@@ -40,6 +40,14 @@ struct model {
     struct face *faces;
 };
 
+/* In lesson 10 a `lanes` is the numbers of several pixels; here it is that of one. */
+enum { LANES = 1 };
+typedef float real;
+typedef float lanes __attribute__((vector_size(sizeof(float))));
+typedef int32_t lanes_mask __attribute__((vector_size(sizeof(int32_t))));
+typedef int32_t lanes_int __attribute__((vector_size(sizeof(int32_t))));
+typedef uint32_t lanes_texel __attribute__((vector_size(sizeof(uint32_t))));
+
 /* @common: vectors, matrices, places on the screen, models (given) */
 
 /* Of length 1, in the same direction; zero stays zero. */
@@ -394,30 +402,6 @@ static bool model_read(struct model *model, const char *path) {
 
 /* @frame: numbers of one pixel (given) */
 
-/* In lesson 10 a `lanes` is the numbers of several pixels; here it is that of one. */
-enum { LANES = 1 };
-typedef float real;
-typedef float lanes __attribute__((vector_size(sizeof(float))));
-typedef int32_t lanes_mask __attribute__((vector_size(sizeof(int32_t))));
-typedef int32_t lanes_int __attribute__((vector_size(sizeof(int32_t))));
-typedef uint32_t lanes_texel __attribute__((vector_size(sizeof(uint32_t))));
-
-struct lanes2 {
-    lanes x, y;
-};
-
-struct lanes3 {
-    lanes x, y, z;
-};
-
-static lanes lanes_all(real value) {
-    return (lanes){value};
-}
-
-static lanes_mask lanes_all_set(void) {
-    return (lanes_mask){-1};
-}
-
 static lanes lanes_select(lanes_mask mask, lanes a, lanes b) {
     return mask[0] != 0 ? a : b;
 }
@@ -428,22 +412,6 @@ static lanes lanes_floor(lanes a) {
 
 static lanes lanes_max(lanes a, lanes b) {
     return a[0] > b[0] ? a : b;
-}
-
-static struct lanes3 lanes3_sub(struct lanes3 a, struct lanes3 b) {
-    return (struct lanes3){a.x - b.x, a.y - b.y, a.z - b.z};
-}
-
-static struct lanes3 lanes3_scale(struct lanes3 a, lanes factor) {
-    return (struct lanes3){a.x * factor, a.y * factor, a.z * factor};
-}
-
-static lanes lanes3_dot(struct lanes3 a, struct lanes3 b) {
-    return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-
-static struct lanes3 lanes3_all(struct vec3 v) {
-    return (struct lanes3){{(real)v.x}, {(real)v.y}, {(real)v.z}};
 }
 
 static struct lanes3 lanes3_normalized(struct lanes3 a) {

@@ -78,7 +78,7 @@ function name_item(item, code,    head, tail, tag, word, n, words, i) {
         add_name(item, words[2])
         return
     }
-    if (index(code, "{") && head ~ /\(/ && head !~ /=/) { # a function
+    if (index(code, "{") && head ~ /\(/ && head !~ /=/ && code !~ /^typedef/) { # a function
         sub(/\(.*/, "", head)
         add_name(item, last_word(head))
         is_function[item] = 1
@@ -109,6 +109,7 @@ function name_item(item, code,    head, tail, tag, word, n, words, i) {
     }
     if (code ~ /^typedef/) {
         tail = code
+        sub(/__attribute__.*/, "", tail)
         if (match(tail, /\( *\* *[A-Za-z_0-9]+ *\)/)) {
             tail = substr(tail, RSTART, RLENGTH - 1)
         } else if (tail !~ /[}]/ && match(tail, /[A-Za-z_0-9]+ *\(/)) {
@@ -134,7 +135,7 @@ function is_complete(code,    head) {
     if (code !~ /[}][ \t]*$/) return 0
     head = code
     sub(/[{].*/, "", head)
-    return head ~ /\(/ && head !~ /=/
+    return head ~ /\(/ && head !~ /=/ && code !~ /^[ \t]*typedef/
 }
 
 function end_item(    item, code) {
@@ -239,7 +240,7 @@ function need(item,    code, name, before, after, found, tag, i) {
             before = ""
             continue
         }
-        found = resolve(file_of[item], tag name)
+        found = name == "LANES_INLINE" ? 0 : resolve(file_of[item], tag name) # put_item() has its own word
         # A function is called, or handed over: a variable of its name is neither.
         if (found && found != item &&
             (tag != "" || !(found in is_function) || after ~ /^\(/ || (before ~ /[=,(?:&{)]$/ && after ~ /^[,);}:]/)))

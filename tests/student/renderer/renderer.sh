@@ -32,7 +32,7 @@ done
 awk -v names=tests/student/mine.txt -v root="$work/" -f tests/student/renderer/renderer.awk \
     tests/student/renderer/given.c $files common/geometry.h common/geometry.c common/raster.h common/raster.c \
     common/tgaimage.h common/tgaimage.c common/texture.h common/texture.c common/model.h common/given/*.h \
-    common/pipeline.h >"$work/renderer.c" || exit 1
+    common/lanes.h common/pipeline.h >"$work/renderer.c" || exit 1
 mkdir -p "$(dirname "$out")" && cp "$work/renderer.c" "$out" || fail 1 "cannot write $out"
 sed -n 's/^ \* Of its \([0-9]*\) lines you wrote \([0-9]*\)\.$/\1 lines, \2 of them yours/p' "$out"
 program=${out%.c}
