@@ -7,13 +7,11 @@
  *     #endif
  *     #include "more_scenes.h"
  *
- *     static bool draw_cards(...) { ... triangle(...) ... }
+ *     static bool try_deep(...) { ... draw_zbuffer(...) ... }
  *
- *     static const struct scene trials[] = {{.name = "cards", .draw = draw_cards, ...}};
+ *     static const struct scene trials[] = {{.name = "deep", .draw = try_deep, ...}};
  *
- *     static int main_with_more(const struct program *program, int argc, char **argv) {
- *         return main_with(program, trials, sizeof trials / sizeof trials[0], argc, argv);
- *     }
+ *     MAIN_WITH(trials)
  *
  * The lesson's main.c is included, and its main() called: what it hands to program_main() comes to
  * main_with_more(). A student's function may have any name: those of trials.c begin with try_, and
@@ -77,5 +75,11 @@ static inline int main_with(const struct program *program, const struct scene *m
     free(joined);
     return status;
 }
+
+/* The last line of such a file. One that changes more than scenes has a main_with_more(). */
+#define MAIN_WITH(more)                                                                            \
+    static int main_with_more(const struct program *program, int argc, char **argv) {              \
+        return main_with(program, more, sizeof(more) / sizeof(more)[0], argc, argv);               \
+    }
 
 #endif

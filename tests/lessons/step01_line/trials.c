@@ -135,6 +135,4 @@ static const struct scene trials[] = {
     {.name = "one_pixel", .width = 1, .height = 1, .draw = try_spokes},
 };
 
-static int main_with_more(const struct program *program, int argc, char **argv) {
-    return main_with(program, trials, sizeof trials / sizeof trials[0], argc, argv);
-}
+MAIN_WITH(trials)

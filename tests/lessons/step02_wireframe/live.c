@@ -76,6 +76,4 @@ static const struct scene live[] = {
     {.name = "border", .values = live_border_values, .draw = live_border},
 };
 
-static int main_with_more(const struct program *program, int argc, char **argv) {
-    return main_with(program, live, sizeof live / sizeof live[0], argc, argv);
-}
+MAIN_WITH(live)

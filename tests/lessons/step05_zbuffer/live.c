@@ -175,6 +175,4 @@ static const struct scene live[] = {
     {.name = "cards", .values = live_cards_values, .draw = live_cards},
 };
 
-static int main_with_more(const struct program *program, int argc, char **argv) {
-    return main_with(program, live, sizeof live / sizeof live[0], argc, argv);
-}
+MAIN_WITH(live)

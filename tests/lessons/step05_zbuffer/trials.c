@@ -146,6 +146,4 @@ static const struct scene trials[] = {
     },
 };
 
-static int main_with_more(const struct program *program, int argc, char **argv) {
-    return main_with(program, trials, sizeof trials / sizeof trials[0], argc, argv);
-}
+MAIN_WITH(trials)

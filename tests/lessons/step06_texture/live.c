@@ -214,6 +214,4 @@ static const struct scene live[] = {
     {.name = "checker", .values = live_trilinear_values, .draw = live_checker},
 };
 
-static int main_with_more(const struct program *program, int argc, char **argv) {
-    return main_with(program, live, sizeof live / sizeof live[0], argc, argv);
-}
+MAIN_WITH(live)

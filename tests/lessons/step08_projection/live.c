@@ -398,6 +398,4 @@ static const struct scene live[] = {
     {.name = "endless", .values = live_view_values, .draw = live_endless},
 };
 
-static int main_with_more(const struct program *program, int argc, char **argv) {
-    return main_with(program, live, sizeof live / sizeof live[0], argc, argv);
-}
+MAIN_WITH(live)
