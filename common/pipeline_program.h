@@ -23,8 +23,9 @@ static inline void pipeline_end_drawing(struct drawing *drawing) {
 }
 
 #define PIPELINE_PROGRAM                                                                           \
-    .takes_light = true, .takes_camera = true, .state_size = sizeof(struct pipeline),              \
-    .prepare = pipeline_begin_drawing, .finish = pipeline_end_drawing
+    .takes_light = true, .takes_camera = true, .skips = true,                                      \
+    .state_size = sizeof(struct pipeline), .prepare = pipeline_begin_drawing,                      \
+    .finish = pipeline_end_drawing
 
 /* The drawing's pipeline, cleared for a frame. */
 static inline struct pipeline *pipeline_begin(struct drawing *drawing) {

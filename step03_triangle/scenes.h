@@ -325,6 +325,7 @@ static const struct program step03_triangle = {
     .summary = "filled triangles: exact edge functions, the top-left rule, spans",
     .text_kind = TEXT_SCENE_TRIANGLES,
     .draw_text = draw_text,
+    .skips = true,
     .defaults = {.width = 200, .height = 200},
     .scenes = scenes,
     .scene_count = sizeof scenes / sizeof scenes[0],

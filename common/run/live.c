@@ -39,7 +39,8 @@ static void describe_text(const struct program *program, FILE *out) {
 
 void live_describe(const struct program *program, FILE *out) {
     const struct options none = {.program = program};
-    fprintf(out, "{\"program\":\"%s\",\"scenes\":[", program->name);
+    fprintf(out, "{\"program\":\"%s\",%s\"scenes\":[", program->name,
+            program->skips ? "\"skips\":true," : "");
     for (size_t i = 0; i < program->scene_count; i++) {
         const struct scene scene = scene_complete(&none, &program->scenes[i]);
         fprintf(out, "%s{\"name\":\"%s\",\"width\":%zu,\"height\":%zu,\"frames\":%zu%s",

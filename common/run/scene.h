@@ -135,6 +135,7 @@ struct program {
     const char *summary;   /* one line for --help */
     bool takes_light;      /* --light */
     bool takes_camera;     /* --eye --center --up */
+    bool skips;            /* --no-skip makes it do more, also under the mouse */
     bool takes_models;     /* up to MODELS_LIMIT of them; textures are those of the first */
     struct scene defaults; /* what the scenes leave at zero */
     const struct scene *scenes;

@@ -771,6 +771,7 @@ function buildControls() {
     $("size").closest("fieldset").hidden = isOwn();
     const sizes = isOwn() ? [] : [...new Set([width, 100, 200, 400, 800])].sort((a, b) => a - b);
     $("size").replaceChildren(...sizes.map(size => new Option(size, size, false, size === (chosen.size ?? width))));
+    $("all").parentElement.hidden = !about.skips;
     $("all").checked = Boolean(chosen.all);
     $("own").hidden = !isOwn();
     $("text").value = textOf() ?? "";
