@@ -24,7 +24,7 @@ static char letter_of(const struct item_result *item) {
 /* The letters of all pictures; x is one that is wrong in another way. */
 static void list_pictures(char *letters, size_t size, const struct step_result *result) {
     size_t count = 0;
-    for (size_t i = 0; i < result->item_count && result->items[i].counter[0] == '\0'; i++) {
+    for (size_t i = 0; i < result->item_count && result->items[i].kind == ITEM_PICTURE; i++) {
         if (count + 1 < size) {
             letters[count++] = letter_of(&result->items[i]);
         }
@@ -63,7 +63,7 @@ bool counted_of(struct counted *counted, const struct step_result *result,
                 const struct item_result *item, const char *output) {
     enum { PICTURE_LIMIT = 256 };
     char pictures[PICTURE_LIMIT];
-    bool is_counter = item->counter[0] != '\0';
+    bool is_counter = item->kind != ITEM_PICTURE;
     list_pictures(pictures, sizeof pictures, result);
     snprintf(counted->text, sizeof counted->text, "%s:%s:%s", item->scene,
              is_counter ? "-" : pictures, is_counter ? "" : "-");

@@ -140,7 +140,7 @@ static void tell_counted(const struct judging *judging, struct item_result *item
                          const char *output) {
     struct counted yours;
     if (counted_of(&yours, judging->result, item, output)) {
-        item->only_may_be |= item->counter[0] == '\0';
+        item->only_may_be |= item->kind == ITEM_PICTURE;
         tell_of(judging, item, counted_find(&judging->mistakes, &yours));
         judging_append(judging->options->counted, "%s\n", yours.text);
     }

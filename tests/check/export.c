@@ -173,7 +173,7 @@ static void json_item(struct writer *writer, const struct item_result *item) {
         put(writer, "\"%s\"", item->credit->tasks[i].text);
     }
     put(writer, "]");
-    if (item->counter[0] != '\0') {
+    if (item->kind != ITEM_PICTURE) {
         put(writer, ", \"counter\": \"%s\"", item->counter);
         json_count(writer, "counted", item->counted);
         json_count(writer, "enough", item->most);

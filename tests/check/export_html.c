@@ -107,7 +107,7 @@ static bool put_item(struct bytes *page, const struct step_result *step,
     struct page_scene scene = {.name = name, .note = note, .level = 3, .pictures = &pictures};
     bool done =
         name != NULL && note != NULL &&
-        (item->counter[0] != '\0' || read_pictures(&pictures, step, item, references, error)) &&
+        (item->kind != ITEM_PICTURE || read_pictures(&pictures, step, item, references, error)) &&
         (!folded || markup_print(page, "<details><summary>%s: exact</summary>\n", name)) &&
         put_scene(page, step, item, scene, error) &&
         (!folded || markup_print(page, "</details>\n"));

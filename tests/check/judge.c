@@ -494,7 +494,7 @@ static bool judge_works(const struct judging *judging, struct error *error) {
     bool done = true;
     for (size_t i = judging->step->scene_count; i < result->item_count && done; i++) {
         struct item_result *item = &result->items[i];
-        if (item->is_numbers) {
+        if (item->kind == ITEM_NUMBERS) {
             continue;
         }
         const struct item_result *picture = result_picture_of(result, item);
@@ -533,7 +533,7 @@ static bool had_room(const struct judging *judging, struct error *error) {
 static bool has_endless_numbers(const struct step_result *result) {
     bool found = false;
     for (size_t i = 0; i < result->item_count; i++) {
-        found |= result->items[i].is_numbers && result->items[i].state == RESULT_TIME;
+        found |= result->items[i].kind == ITEM_NUMBERS && result->items[i].state == RESULT_TIME;
     }
     return found;
 }
@@ -573,7 +573,7 @@ static void set_not_built(const struct judging *judging, const struct message_li
 static bool has_numbers(const struct step_result *result) {
     bool found = false;
     for (size_t i = 0; i < result->item_count; i++) {
-        found |= result->items[i].is_numbers;
+        found |= result->items[i].kind == ITEM_NUMBERS;
     }
     return found;
 }

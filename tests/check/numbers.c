@@ -298,7 +298,7 @@ static void begin(struct calling *calling, const char *source, struct step_resul
     calling->argument_count = ARGUMENT_COUNT - 1;
     for (size_t i = 0; i < result->item_count; i++) {
         struct item_result *item = &result->items[i];
-        if (item->is_numbers) {
+        if (item->kind == ITEM_NUMBERS) {
             calling->tasks[calling->count++].item = item;
             if (todo_has_task(source, item->counter)) {
                 leave_out(calling, item->counter);

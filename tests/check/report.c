@@ -49,7 +49,9 @@ static bool wants_hint(const struct step_result *step, const struct item_result 
     const struct result_text advice = result_advice(step, item);
     for (size_t i = 0; wants && i < step->item_count; i++) {
         const struct item_result *other = &step->items[i];
-        bool is_before = other->is_numbers == item->is_numbers ? other < item : other->is_numbers;
+        bool is_before = (other->kind == ITEM_NUMBERS) == (item->kind == ITEM_NUMBERS)
+                             ? other < item
+                             : other->kind == ITEM_NUMBERS;
         bool is_wrong = other->state >= RESULT_FAIL && other->state <= RESULT_CRASH;
         wants =
             !is_before || !is_wrong || strcmp(result_advice(step, other).text, advice.text) != 0;
@@ -74,7 +76,7 @@ static void report_item(const struct step_result *step, const struct item_result
         bool seen = is_seen(step, item);
         printf("    %s%s\n", seen ? "the same" : item->seen.text,
                seen ? "" : result_advice(step, item).text);
-    } else if ((hints || item->is_numbers) && wants_hint(step, item)) {
+    } else if ((hints || item->kind == ITEM_NUMBERS) && wants_hint(step, item)) {
         printf("    %s\n", result_advice(step, item).text + strlen("; "));
     }
 }
@@ -169,7 +171,7 @@ static void report_items(const struct step_result *step, bool numbers) {
     for (size_t i = 0; i < step->item_count; i++) {
         const struct item_result *item = &step->items[i];
         bool passes = item->state == RESULT_PASS && step->state != RESULT_PASS;
-        if (item->is_numbers == numbers && (passes || item->message.text[0] != '\0')) {
+        if ((item->kind == ITEM_NUMBERS) == numbers && (passes || item->message.text[0] != '\0')) {
             report_item(step, item, false);
         }
     }
@@ -182,8 +184,8 @@ static bool has_wrong_numbers(const struct step_result *step, const struct task_
     bool wrong = false;
     for (size_t i = 0; i < step->item_count; i++) {
         const struct item_result *item = &step->items[i];
-        wrong |= item->is_numbers && item->state >= RESULT_FAIL && item->state <= RESULT_CRASH &&
-                 strcmp(item->counter, task->name.text) == 0;
+        wrong |= item->kind == ITEM_NUMBERS && item->state >= RESULT_FAIL &&
+                 item->state <= RESULT_CRASH && strcmp(item->counter, task->name.text) == 0;
     }
     return wrong && !task->perhaps;
 }
@@ -295,7 +297,7 @@ static size_t report_items_to_person(const struct step_result *step, bool number
     for (size_t i = 0; i < step->item_count; i++) {
         const struct item_result *item = &step->items[i];
         bool comes = item->state == RESULT_TODO || item->unjudged;
-        if (item->is_numbers != numbers) {
+        if ((item->kind == ITEM_NUMBERS) != numbers) {
             continue;
         }
         if (item->message.text[0] != '\0' && !(comes && at_hand)) {

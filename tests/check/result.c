@@ -86,7 +86,7 @@ bool step_result_begin(struct step_result *result, const struct checked_step *st
         const struct checked_item *rule = &step->items[i];
         result->items[i] = (struct item_result){.scene = rule->scene,
                                                 .counter = rule->counter,
-                                                .is_numbers = rule->kind == ITEM_NUMBERS,
+                                                .kind = rule->kind,
                                                 .credit = &rule->credit,
                                                 .rule = rule,
                                                 .state = RESULT_FAIL,
@@ -109,7 +109,7 @@ const struct item_result *result_picture_of(const struct step_result *result,
 bool result_is_right(const struct step_result *result, const char *task) {
     for (size_t i = 0; i < result->item_count; i++) {
         const struct item_result *item = &result->items[i];
-        bool is_picture = item->counter[0] == '\0';
+        bool is_picture = item->kind == ITEM_PICTURE;
         if (item->state == RESULT_PASS && is_picture && item->credit->task_count == 1 &&
             strcmp(item->credit->tasks[0].text, task) == 0) {
             return true;
@@ -130,7 +130,7 @@ static bool say_nothing(const struct step_result *result, const struct item_resu
     bool nothing = numbers->spoilt_by != NULL;
     for (size_t i = 0; i < result->item_count; i++) {
         const struct item_result *other = &result->items[i];
-        nothing |= other->is_numbers && is_wrong(other) && other->spoilt_by == NULL &&
+        nothing |= other->kind == ITEM_NUMBERS && is_wrong(other) && other->spoilt_by == NULL &&
                    credit_needs(numbers->credit, other->counter);
     }
     return nothing;
@@ -141,7 +141,7 @@ static const struct item_result *find_wrong_numbers(const struct step_result *re
                                                     const char *task) {
     for (size_t i = 0; i < result->item_count; i++) {
         const struct item_result *item = &result->items[i];
-        if (item->is_numbers && is_wrong(item) && strcmp(item->counter, task) == 0 &&
+        if (item->kind == ITEM_NUMBERS && is_wrong(item) && strcmp(item->counter, task) == 0 &&
             !say_nothing(result, item)) {
             return item;
         }
@@ -153,7 +153,8 @@ bool result_calls_are_right(const struct step_result *result, const char *task) 
     bool right = false;
     for (size_t i = 0; i < result->item_count; i++) {
         const struct item_result *item = &result->items[i];
-        right |= item->is_numbers && item->state == RESULT_PASS && strcmp(item->counter, task) == 0;
+        right |= item->kind == ITEM_NUMBERS && item->state == RESULT_PASS &&
+                 strcmp(item->counter, task) == 0;
     }
     return right;
 }
@@ -171,7 +172,7 @@ const struct item_result *result_numbers_of(const struct step_result *result,
                                             const struct item_result *item) {
     for (size_t i = 0; i < result->item_count; i++) {
         const struct item_result *numbers = &result->items[i];
-        if (numbers->is_numbers && numbers->state == item->state &&
+        if (numbers->kind == ITEM_NUMBERS && numbers->state == item->state &&
             find_wrong_numbers(result, numbers->counter) == numbers) {
             return numbers;
         }
@@ -346,11 +347,11 @@ static bool has_evidence(const struct step_result *result) {
     bool any_wrong = false;
     for (size_t i = 0; i < result->item_count; i++) {
         const struct item_result *item = &result->items[i];
-        if (!item->is_numbers && item->state == RESULT_PASS) {
+        if (item->kind != ITEM_NUMBERS && item->state == RESULT_PASS) {
             return true;
         }
-        any_wrong |=
-            !item->is_numbers && is_wrong(item) && find_culprits(result, item).blames == NULL;
+        any_wrong |= item->kind != ITEM_NUMBERS && is_wrong(item) &&
+                     find_culprits(result, item).blames == NULL;
     }
     return !any_wrong;
 }
@@ -359,7 +360,7 @@ static bool has_evidence(const struct step_result *result) {
  * task, and its own calls are right. */
 static bool earns_share(const struct step_result *result, const struct item_result *item,
                         const char *task) {
-    if (item->is_numbers) {
+    if (item->kind == ITEM_NUMBERS) {
         const bool is_spoilt = item->spoilt_by != NULL && is_wrong(item);
         return (item->state == RESULT_PASS || is_spoilt) && has_evidence(result);
     }
@@ -380,7 +381,7 @@ static void add_item(struct step_result *result, struct item_result *item) {
         task->points += points;
         task->most += share;
     }
-    if (item->is_numbers && item->state == RESULT_PASS && item->points == 0) {
+    if (item->kind == ITEM_NUMBERS && item->state == RESULT_PASS && item->points == 0) {
         result_say(&item->message, "right, and counts as soon as a picture is right, too");
     }
     result->points += item->points;

@@ -46,7 +46,7 @@ struct item_result {
     const char *scene; /* its name; "numbers" */
     /* "" for a picture; of relations "drawn again (moved, halved)"; of numbers the task. */
     const char *counter;
-    bool is_numbers;
+    enum item_kind kind;
     /* Of numbers whose calls all end badly, but in functions of another task: that one; or NULL. */
     const char *spoilt_by;
     const struct credit *credit;

@@ -28,6 +28,7 @@ static void set_up(struct fixture *f, const char *states) {
         char state = (char)(i < SCENES ? states[i] : 'w');
         item->scene = scenes[i];
         item->counter = i < SCENES ? "" : "tested";
+        item->kind = i < SCENES ? ITEM_PICTURE : ITEM_COUNTER;
         item->state = state == 'r'   ? RESULT_PASS
                       : state == '?' ? RESULT_TODO
                       : state == 'c' ? RESULT_CRASH

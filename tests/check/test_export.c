@@ -124,6 +124,7 @@ static void test_counters(void) {
     struct fixture f;
     set_up(&f, RESULT_FAIL, "five");
     f.item.counter = "tested";
+    f.item.kind = ITEM_COUNTER;
     f.item.counted = 5;
     check_report(export_json, &f, "\"counter\": \"tested\", \"counted\": 5, \"enough\": 0, ", "",
                  "\"message\": \"five\", \"looks_like\": \"five\"");

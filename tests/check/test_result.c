@@ -38,11 +38,15 @@ static void read_item(struct item_result *item, struct credit *credit, const cha
     item->credit = credit;
     item->scene = "scene";
     item->only_may_be = strcmp(kind, "blank") == 0;
-    item->counter = strcmp(kind, "picture") == 0 || item->only_may_be ? "" : "counted";
+    item->kind = strcmp(kind, "picture") == 0 || item->only_may_be ? ITEM_PICTURE : ITEM_COUNTER;
     item->unjudged = strcmp(kind, "unjudged") == 0;
     item->spoilt_by = strcmp(kind, "spoilt") == 0 ? "1.1" : NULL;
-    item->is_numbers = strcmp(kind, "numbers") == 0 || item->spoilt_by != NULL;
-    item->counter = item->is_numbers ? credit->tasks[0].text : item->counter;
+    if (strcmp(kind, "numbers") == 0 || item->spoilt_by != NULL) {
+        item->kind = ITEM_NUMBERS;
+    }
+    item->counter = item->kind == ITEM_NUMBERS   ? credit->tasks[0].text
+                    : item->kind == ITEM_COUNTER ? "counted"
+                                                 : "";
     item->state = strcmp(state, "PASS") == 0   ? RESULT_PASS
                   : strcmp(state, "FAIL") == 0 ? RESULT_FAIL
                   : strcmp(state, "TODO") == 0 ? RESULT_TODO
