@@ -69,6 +69,7 @@ for lesson in step[0-9]*_*/mistakes.txt; do
     awk -v directory="$work" -f tests/upkeep/verify/replace.awk -f tests/upkeep/verify/parse.awk \
         "$lesson/mistakes.txt" >"$work/table" || exit 1
     add_starter "$lesson"
+    grep -v '^call ' tests/check/scenes.txt >"$work/pictures.txt" || exit 1
     cut -f 1 "$work/table" |
         xargs -P "$workers" -n 1 sh tests/upkeep/verify/draw.sh "$build" "$make" "$work" || exit 1
     keep "$lesson"
