@@ -17,18 +17,24 @@ static struct color try_color(struct pixel p) {
     return color_rgb(0, 255, (uint8_t)((p.x & 1) * 128 + (p.y & 1) * 64));
 }
 
-/* More boxes where something is found wrongly: one for a position that is too far; red where there
- * is no pixel, but the pixel was changed; and bluer where a far pixel, which is even, is odd. */
+/* The i-th box, if `position` has a pixel; red if it has none, but the pixel was changed. */
+static void try_far(struct image *image, int i, struct vec3 position) {
+    struct pixel p = {-7, -7};
+    if (to_pixel(position, FAR_WIDTH, FAR_HEIGHT, &p)) {
+        draw_box(image, i, try_color(p));
+    } else if (p.x != -7 || p.y != -7) {
+        draw_box(image, i, color_rgb(255, 0, 0));
+    }
+}
+
+/* More boxes where something is found wrongly: one for a position that is too far; and bluer where a
+ * far pixel, which is even, is odd. */
 static bool try_points(struct drawing *drawing, struct image *image, struct error *error) {
-    for (int i = 0; i < FAR_POSITIONS + TRY_TOO_FAR; i++) {
-        const bool near = i < FAR_POSITIONS;
-        struct pixel p = {-7, -7};
-        if (to_pixel(near ? far_positions[i] : try_too_far[i - FAR_POSITIONS], FAR_WIDTH,
-                     FAR_HEIGHT, &p)) {
-            draw_box(image, i, try_color(p)); /* the scene draws over those that are near */
-        } else if (p.x != -7 || p.y != -7) {
-            draw_box(image, i, color_rgb(255, 0, 0));
-        }
+    for (int i = 0; i < FAR_POSITIONS; i++) { /* the scene draws over those that have a pixel */
+        try_far(image, i, far_positions[i]);
+    }
+    for (int i = 0; i < TRY_TOO_FAR; i++) {
+        try_far(image, FAR_POSITIONS + i, try_too_far[i]);
     }
     const bool done = draw_points(drawing, image, error);
     for (int i = 0; i < FAR_POSITIONS; i++) {

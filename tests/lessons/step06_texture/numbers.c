@@ -214,6 +214,10 @@ static struct shown called_own_trilinear(const struct texture *texture, size_t f
                   show_color(called_own_color(&plane, texture)));                                  \
     } while (0)
 
+static bool called_near(struct vec3 yours, struct vec3 right) {
+    return is_near(yours.x, right.x) && is_near(yours.y, right.y) && is_near(yours.z, right.z);
+}
+
 /* In the triangle of 4 x 2 pixels. It's right, too, where it follows from your corners. */
 #define GAIN(step, other, pixels, wanted)                                                          \
     do {                                                                                           \
@@ -225,9 +229,9 @@ static struct shown called_own_trilinear(const struct texture *texture, size_t f
             const struct vec3 of_corners =                                                         \
                 vec3_scale(vec3_sub(plane.corner[other], plane.corner[0]), 1 / (pixels));          \
             const struct shown yours = show_reals(&plane.step.x, 3);                               \
-            number_end(yours, are_near(&plane.step.x, &right_one.x, 3) ||                          \
-                                  (are_near(&plane.step.x, &of_corners.x, 3) &&                    \
-                                   !says_nothing(yours.text)));                                    \
+            number_end(yours,                                                                      \
+                       called_near(plane.step, right_one) ||                                       \
+                           (called_near(plane.step, of_corners) && !says_nothing(yours.text)));    \
         }                                                                                          \
     } while (0)
 

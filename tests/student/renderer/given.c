@@ -225,53 +225,49 @@ static void model_free(struct model *model) {
     *model = (struct model){0};
 }
 
-/* Room for one more behind `count`, doubled at each power of two; `list` is a pointer's address. */
-static bool make_room(void *list, size_t count, size_t size) {
-    void *pointer;
-    memcpy(&pointer, list, sizeof pointer);
-    if ((count & (count - 1)) == 0) {
-        pointer = realloc(pointer, (count > 0 ? 2 * count : 1) * size);
-        if (pointer == NULL) {
-            return false;
-        }
-        memcpy(list, &pointer, sizeof pointer);
-    }
-    return true;
+/* The list with room for one more behind `count`, doubled at each power of two; NULL when memory
+ * runs out, and the list stays as it is. */
+static void *with_room(void *list, size_t count, size_t size) {
+    return (count & (count - 1)) == 0 ? realloc(list, (count > 0 ? 2 * count : 1) * size) : list;
 }
 
 /* Each adds one to the model; false when memory runs out. */
 static bool add_position(struct model *model, struct vec3 p) {
-    bool done = make_room(&model->positions, model->position_count, sizeof *model->positions);
-    if (done) {
+    void *larger = with_room(model->positions, model->position_count, sizeof *model->positions);
+    if (larger != NULL) {
+        model->positions = larger;
         model->positions[model->position_count++] = p;
     }
-    return done;
+    return larger != NULL;
 }
 
 static bool add_uv(struct model *model, struct vec2 uv) {
-    bool done = make_room(&model->uvs, model->uv_count, sizeof *model->uvs);
-    if (done) {
+    void *larger = with_room(model->uvs, model->uv_count, sizeof *model->uvs);
+    if (larger != NULL) {
+        model->uvs = larger;
         float *to = model->uvs[model->uv_count++];
         to[0] = (float)uv.x, to[1] = (float)uv.y;
     }
-    return done;
+    return larger != NULL;
 }
 
 static bool add_normal(struct model *model, struct vec3 n) {
-    bool done = make_room(&model->normals, model->normal_count, sizeof *model->normals);
-    if (done) {
+    void *larger = with_room(model->normals, model->normal_count, sizeof *model->normals);
+    if (larger != NULL) {
+        model->normals = larger;
         float *to = model->normals[model->normal_count++];
         to[0] = (float)n.x, to[1] = (float)n.y, to[2] = (float)n.z;
     }
-    return done;
+    return larger != NULL;
 }
 
 static bool add_face(struct model *model, struct corner a, struct corner b, struct corner c) {
-    bool done = make_room(&model->faces, model->face_count, sizeof *model->faces);
-    if (done) {
+    void *larger = with_room(model->faces, model->face_count, sizeof *model->faces);
+    if (larger != NULL) {
+        model->faces = larger;
         model->faces[model->face_count++] = (struct face){{a, b, c}};
     }
-    return done;
+    return larger != NULL;
 }
 
 /* An index as files have it, from 1 or, if negative, from the last one; and the slash behind it. */
