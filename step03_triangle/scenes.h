@@ -157,12 +157,14 @@ static void show_pixel(struct image *image, int x, int y, struct color color) {
 
 /* Show the pixels that a triangle has drawn, in its grey, and make the small image black again. */
 static void show_drawn(struct image *small, int grey, struct image *image) {
-    for (int i = 0; i < (int)(small->width * small->height); i++) {
-        const int x = i % (int)small->width, y = i / (int)small->width;
-        if (image_get(small, x, y).b != 0) {
-            const struct color now = image_get(image, x * BLOCK, y * BLOCK);
-            const bool first = now.r == not_drawn.r && now.b == not_drawn.b;
-            show_pixel(image, x, y, first ? color_grey((uint8_t)grey) : color_rgb(255, 150, 0));
+    const uint8_t *pixel = small->pixels;
+    for (int y = 0; y < (int)small->height; y++) {
+        for (int x = 0; x < (int)small->width; x++, pixel += small->format) {
+            if (*pixel != 0) {
+                const struct color now = image_get(image, x * BLOCK, y * BLOCK);
+                const bool first = now.r == not_drawn.r && now.b == not_drawn.b;
+                show_pixel(image, x, y, first ? color_grey((uint8_t)grey) : color_rgb(255, 150, 0));
+            }
         }
     }
     image_clear(small, color_grey(0));
