@@ -73,16 +73,16 @@ function link(line) {
     return line
 }
 
-# Pictures are WebP. In a lesson, those of scenes lead to the scene in the live page.
-function picture(line,    name, step, file, found) {
+# Pictures are WebP. In a lesson, those of its programs' scenes lead to the scene in the live page.
+function picture(line,    name, step, file, scene, found) {
     gsub(/\.png"/, ".webp\"", line)
     if (lesson == "" || line !~ /^(<p>)?<img/ || !match(line, /<img src="[^"]*\.webp"[^>]*>/)) return line
     name = substr(line, RSTART, RLENGTH)
     sub(/\.webp.*/, "", name)
     step = match(name, /step[0-9]+_[a-z]+/) ? substr(name, RSTART, RLENGTH) : lesson
     sub(/.*\//, "", name)
-    file = "tests/reference/" step "/" name ".png"
-    found = (getline _ <file) > 0
+    file = step "/scenes.h"
+    while (!found && (getline scene <file) > 0) found = index(scene, ".name = \"" name "\"")
     close(file)
     if (found) {
         sub(/<img[^>]*>/, "<a class=live href=\"" root step "/live.html#scene=" name "\">&</a>", line)
