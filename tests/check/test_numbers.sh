@@ -92,10 +92,11 @@ for numbers in tests/lessons/step*/numbers.c; do
     lesson=${lesson%/numbers.c}
     make -s BUILD="$build" "$build/quick/numbers/$lesson" && rm -f "$work/rows" &&
         "$build/quick/numbers/$lesson" "$work/rows" 0 || wrong "$lesson: the calls fail"
-    # A call that the text names is followed in its paragraph by what it gives, and each task that
-    # has calls has one in the text.
+    # A call that the text names is followed, in its paragraph or its row of a table, by what it gives, and
+    # each task that has calls has one in the text, on whichever page has tasks.
+    # shellcheck disable=SC2046 # one word a file
     awk -F '\t' -v lesson="$lesson" '
-        FILENAME ~ /README.md$/ { text = text $0 ($0 == "" ? "\n" : " "); next }
+        FILENAME ~ /\.md$/ { text = text (FNR == 1 ? "\n" : "") $0 ($0 == "" || /^\|/ ? "\n" : " "); next }
         FNR == 1 { gsub(/ +/, " ", text) }
         NF < 6 { next } # the last line
         {
@@ -112,6 +113,6 @@ for numbers in tests/lessons/step*/numbers.c; do
         END {
             for (task in tasks) if (tasks[task] == 0) { print lesson ": no call of task " task " in the text"; bad = 1 }
             exit bad
-        }' "$lesson/README.md" "$work/rows" || wrong "$lesson: text and calls differ"
+        }' $(pages "$lesson") "$work/rows" || wrong "$lesson: text and calls differ"
 done
 exit $failed

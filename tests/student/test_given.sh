@@ -44,8 +44,9 @@ done
 
 while read -r taught function; do
     for lesson in step01_* "$(echo step*"${taught}"_*)"; do
+        # shellcheck disable=SC2046 # one word a file
         awk -v mode=starter -f tests/student/marks.awk "$lesson/main.c" |
-            cat - "$lesson/README.md" "$lesson/hints.txt" | grep -oE '[a-z0-9_/]+\.[ch]\>' |
+            cat - $(pages "$lesson") "$lesson/hints.txt" | grep -oE '[a-z0-9_/]+\.[ch]\>' |
             sed 's|^common/||; s|^|common/|' | sort -u | while read -r named; do
             ! grep -qw "$function" "$named" 2>"$work/log" || echo "$lesson names $named, which has $function()"
         done

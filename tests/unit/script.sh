@@ -54,3 +54,8 @@ says() {
 silent() {
     ! grep -qF -e "$1" "$said" || wrong "something says: $1"
 }
+
+# pages LESSON: those with tasks, one a line.
+pages() {
+    grep -lE '^(####? Tasks? |- \*\*[0-9]+[a-z]?\.[0-9])' "$1"/*.md
+}

@@ -1,17 +1,18 @@
 #!/bin/sh
-# Is each lesson short enough to be read? At most 2,500 words from its title to the end of its last
-# task, and 900 to its first one.
+# Can each part of a lesson be read at one sitting? At most 1,200 words from one heading `## ` to the
+# next, where a reader may stop, on every page that has tasks.
 #
 # Exit status 0: all are; 1: not, named.
 . "$(dirname "$0")/../../unit/script.sh"
 
-for lesson in step[0-9]*_*/README.md; do
-    awk -v lesson="$lesson" '
-        /^#### Task/ || /^- \*\*[0-9]+[a-z]?\.[0-9]/ { if (!first) first = words; task = 1 }
-        /^## / && task { last = words; task = 0 }
+for page in $(for lesson in step*; do pages "$lesson"; done); do
+    awk -v page="$page" '
+        function end() {
+            if (words > 1200) { print page ": " words " words in \"" part "\", at most 1200"; bad = 1 }
+            words = 0
+        }
+        /^## / { end(); part = substr($0, 4) }
         { words += NF }
-        END { if (first && first <= 900 && last && last <= 2500) exit 0
-              print lesson ": " first + 0 " words to the first task, " last + 0 " to the end of the last"
-              exit 1 }' "$lesson" || failed=1
+        END { end(); exit bad }' "$page" || failed=1
 done
 exit $failed
