@@ -39,26 +39,25 @@ static void draw_bust_by(fill_function *draw, const struct model *model, struct 
 
 /* ---- The pictures ---- */
 
-/* Which of the three edge functions are positive (red, green, blue: edges 0, 1, 2); inside all
- * three the pixel is white. */
+/* Where the edge functions of the example are 0 or more (red, green, blue: edges 0, 1, 2): white
+ * where all three are. */
 static void draw_half_planes(void) {
     struct image image;
     struct edges edges = {0};
-    const struct fixed2 a = {5 * 256 / 2, 5 * 256 / 2}, b = {43 * 256 / 2, 9 * 256 / 2};
-    const struct fixed2 c = {17 * 256 / 2, 33 * 256 / 2};
-    image = figure_image(24, 19);
+    const struct fixed2 a = {384, 384}, b = {1408, 384}, c = {384, 1152};
+    image = figure_image(8, 6);
     triangle_setup(&edges, a, b, c, image.width, image.height);
     for (int y = 0; y < (int)image.height; y++) {
         for (int x = 0; x < (int)image.width; x++) {
             uint8_t level[3];
             for (int i = 0; i < 3; i++) {
                 const struct edge *e = &edges.edge[i];
-                level[i] = e->origin + e->dx * x + e->dy * y >= e->least ? 255 : 70;
+                level[i] = e->origin + e->dx * x + e->dy * y >= 0 ? 255 : 70;
             }
             image_set(&image, x, y, color_rgb(level[0], level[1], level[2]));
         }
     }
-    figure_save_detail(&image, detail_of_whole(&image, 20, GRID), "half_planes");
+    figure_save_detail(&image, detail_of_whole(&image, 60, GRID), "half_planes");
 }
 
 /* The eye of the bust, enlarged. */
