@@ -27,8 +27,8 @@ static void try_far(struct image *image, int i, struct vec3 position) {
     }
 }
 
-/* More boxes where something is found wrongly: one for a position that is too far; and bluer where a
- * far pixel, which is even, is odd. */
+/* More boxes where something is found wrongly: one for a position that is too far; and bluer where
+ * a far pixel, which is even, is odd. */
 static bool try_points(struct drawing *drawing, struct image *image, struct error *error) {
     for (int i = 0; i < FAR_POSITIONS; i++) { /* the scene draws over those that have a pixel */
         try_far(image, i, far_positions[i]);
