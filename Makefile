@@ -85,9 +85,11 @@ endif
 THREADED = -pthread
 BUILT    = $(abspath $(BUILD))
 DEFINES  = -DCOURSE_BUILD='"$(BUILT)"' $(LANES:%=-DLANES=%) $(REAL:%=-DREAL=%)
-COMPILE  = $(CC) $(STRICT) $(WARNINGS) $(WERROR) $(CFLAGS) $(MARCH) $(THREADED) $(DEFINES) \
+# Also with -Ofast: what would add up in another order is left out.
+EXACT    = $(patsubst -Ofast,-O3,$(filter-out -f%-math -f%-math-optimizations -f%-math-only,$(CFLAGS)))
+COMPILE  = $(CC) $(STRICT) $(WARNINGS) $(WERROR) $(EXACT) $(MARCH) $(THREADED) $(DEFINES) \
            -Icommon -MMD -MP
-LINK     = $(CC) $(CFLAGS) $(MARCH) $(THREADED)
+LINK     = $(CC) $(EXACT) $(MARCH) $(THREADED)
 # What a make that is called at each save is told, so that it asks nobody for it.
 KNOWN    = $(foreach name,CONSTANTS MARCH MISSING,$(if $(filter file,$(origin $(name))),\
              $(name)=$(filter-out temporary,$($(name)))))

@@ -84,7 +84,7 @@ static bool reserve_chunks(struct frame *frame, size_t count) {
     free_chunks(frame);
     frame->chunks = aligned_alloc(CACHE_LINE, count * sizeof *frame->chunks);
     for (size_t i = 0; frame->chunks != NULL && i < count; i++) {
-        frame->chunks[i].touched = UINT32_MAX;
+        frame->chunks[i].touched = ALL_ROWS;
         chunk_clear(&frame->chunks[i]);
     }
     frame->chunk_capacity = frame->chunks != NULL ? count : 0;

@@ -39,6 +39,7 @@
 /* Rows of a band: so many that its depths stay in the cache. */
 enum { BAND_HEIGHT = 32 };
 _Static_assert(BAND_HEIGHT <= 32, "`touched` has a bit for each row");
+static const uint32_t ALL_ROWS = UINT32_MAX >> (32 - BAND_HEIGHT);
 
 /* Columns of a chunk and rows of a tile. They do not depend on LANES. */
 enum { CHUNK_WIDTH = 16, TILE_HEIGHT = 8, BAND_TILES = BAND_HEIGHT / TILE_HEIGHT };
@@ -108,19 +109,20 @@ struct block {
 
 /* What is visible so far in one chunk of a band. (find_runs() reads one number behind the last.) */
 struct chunk {
-    double depth[BAND_HEIGHT][CHUNK_WIDTH];    /* minus infinity: nothing is drawn */
-    uint32_t number[BAND_HEIGHT][CHUNK_WIDTH]; /* of the piece; 0: nothing is drawn */
-    double farthest[BAND_TILES];               /* of each tile: no pixel's depth is less */
-    uint32_t touched;                          /* bit i: something may be drawn in row i */
-    char apart[CACHE_LINE - BAND_TILES * sizeof(double) - sizeof(uint32_t)];
+    _Alignas(CACHE_LINE) double depth[BAND_HEIGHT][CHUNK_WIDTH]; /* -INFINITY: nothing is drawn */
+    uint32_t number[BAND_HEIGHT][CHUNK_WIDTH];                   /* of the piece; 0: nothing */
+    double farthest[BAND_TILES]; /* of each tile: no pixel's depth is less */
+    uint32_t touched;            /* bit i: something may be drawn in row i */
 };
 
 /* Empty a chunk: nothing is drawn. Only rows that were touched need it. */
 static inline void chunk_clear(struct chunk *chunk) {
     for (int row = 0; chunk->touched != 0; row++, chunk->touched >>= 1) {
-        for (int i = 0; (chunk->touched & 1) != 0 && i < CHUNK_WIDTH; i++) {
-            chunk->depth[row][i] = -INFINITY;
-            chunk->number[row][i] = 0;
+        if ((chunk->touched & 1) != 0) {
+            for (int i = 0; i < CHUNK_WIDTH; i++) {
+                chunk->depth[row][i] = -INFINITY;
+                chunk->number[row][i] = 0;
+            }
         }
     }
     for (int tile = 0; tile < BAND_TILES; tile++) {

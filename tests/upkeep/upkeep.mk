@@ -2,6 +2,7 @@
 ## What holds the course to its word (.github/CONTRIBUTING.md says more):
 ##   make test                   unit tests under sanitizers, and the tests of the check
 ##   make stress                 hostile numbers, independent answers (STRESS=10, SEED=7, PROPERTY=line)
+##   make prove                  what holds for every input there is (needs frama-c)
 ##   make verify                 the check fails every mistake and passes every correct program that
 ##                               is listed (STEP=05, NAME=depth)
 ##   make portability            the same bytes from other compilers (CONFIGURATIONS=arm64)
@@ -14,7 +15,7 @@
 ##   make references             draw the reference images again, never part of a check (STEP=05)
 ##   make mistakes               keep what the listed mistakes look like, by which the check knows
 ##                               them, and draw the lessons' wrong pictures (STEP=05)
-.PHONY: test stress verify portability fuzz mutants everything figures lesson-figures references \
+.PHONY: test stress prove verify portability fuzz mutants everything figures lesson-figures references \
         mistakes
 
 # ---- make test ----
@@ -113,6 +114,9 @@ $(BUILD)/stress: $(call OBJECTS_OF,upkeep/stress oracle) \
 stress: $(BUILD)/stress
 	$(Q)$(BUILD)/stress $(PROPERTY)
 
+prove:
+	$(Q)sh tests/upkeep/prove/prove.sh $(BUILD)/prove
+
 # ---- make verify, make mistakes: what the check makes of wrong programs, and of correct ones ----
 
 verify: $(BUILD)/check $(BUILD)/figure_make models
@@ -152,7 +156,7 @@ $(BUILD)/fuzz_%: $(BUILD)/tested/tests/upkeep/fuzz/fuzz_%.o $(BUILD)/tested/all.
 	$(Q)$(TESTED) -fsanitize=fuzzer $^ -lm -o $@
 
 everything:
-	@.ci/run test-clang portability-all grade-unshare verify-all mutants-300
+	@.ci/run test-clang portability-all grade-unshare verify-all mutants-300 constants
 
 # ---- Pictures: make figures, make references ----
 

@@ -91,10 +91,12 @@ struct wish {
 
 static bool run_property(const struct property *property, const struct wish *wish) {
     uint64_t seed = (uint64_t)wish->seed, begin = wish->only < 0 ? 0 : (uint64_t)wish->only;
-    uint64_t cases = wish->only < 0 ? (uint64_t)fmax(1, (double)property->cases * wish->factor) : 1;
+    double factor = property->all ? 1 : wish->factor;
+    uint64_t cases = wish->only < 0 ? (uint64_t)fmax(1, (double)property->cases * factor) : 1;
     struct outcome outcome = try_cases(property, seed, begin, begin + cases);
-    printf("%-35s %-15s  cases %7llu, failed %llu", property->name, against_name[property->against],
-           (unsigned long long)cases, (unsigned long long)outcome.failed);
+    printf("%-35s %-15s  %s %7llu, failed %llu", property->name, against_name[property->against],
+           property->all ? "all" : "cases", (unsigned long long)cases,
+           (unsigned long long)outcome.failed);
     if (property->error_unit != NULL) {
         printf(", largest error %.3g %s", outcome.tally.error, property->error_unit);
     }
@@ -144,8 +146,9 @@ static bool read_environment(struct wish *wish) {
 int main(int argc, char **argv) {
     static const struct property *const tables[] = {
         line_properties,     triangle_properties, pipeline_properties, camera_properties,
-        texture_properties,  lesson04_properties, lesson05_properties, lesson06_properties,
-        lesson07_properties, lesson08_properties, lesson09_properties, lesson10_properties,
+        texture_properties,  small_properties,    lesson04_properties, lesson05_properties,
+        lesson06_properties, lesson07_properties, lesson08_properties, lesson09_properties,
+        lesson10_properties,
     };
     struct wish wish;
     if (!read_environment(&wish)) {

@@ -38,6 +38,7 @@ struct property {
     const char *name;
     enum against against;
     uint64_t cases; /* of a run of ordinary length */
+    bool all;       /* these are all cases there are, in a run of any length */
     size_t size;    /* bytes of a case, which is plain data */
     void (*make)(struct random *random, uint64_t index, void *made);
     /* Does the property hold for this case? Any of the three that are given must say so: error() is
@@ -56,6 +57,10 @@ struct property {
         .make = (maker), __VA_ARGS__                                                               \
     }
 
+/* A property of all cases there are, whose answer is in integers. */
+#define ALL(title, count, type, maker, exact)                                                      \
+    PROPERTY(title, AGAINST_INTEGERS, count, type, maker, .all = true, .holds = (exact))
+
 /* ---- Triangles of any kind on a small screen ---- */
 
 enum { SCREEN_WIDTH = 12, SCREEN_HEIGHT = 9 }; /* pixels */
@@ -72,6 +77,7 @@ extern const struct property triangle_properties[];
 extern const struct property pipeline_properties[];
 extern const struct property camera_properties[];
 extern const struct property texture_properties[];
+extern const struct property small_properties[];
 extern const struct property lesson04_properties[];
 extern const struct property lesson05_properties[];
 extern const struct property lesson06_properties[];
