@@ -50,6 +50,11 @@ printf '#!/bin/sh\necho "#define __FLT_EVAL_METHOD__ 2"\n' >"$work/gcc"
 said_by 1 make CC="$work/gcc" programs
 says 'add -msse2 -mfpmath=sse'
 
+# Sums stay in their order, whatever CFLAGS say.
+said_by 0 make -sBn CFLAGS='-Ofast -ffast-math -fassociative-math' programs
+silent 'fast'
+silent 'associative'
+
 if command -v bmake >/dev/null; then
     bmake check >"$work/said" 2>&1 && wrong "bmake makes it"
     said=$work/said

@@ -219,7 +219,7 @@ static int plain_texel(const struct small_texture *c, int i) {
     return c->clamp ? (i < 0 ? 0 : i > 1 ? 1 : i) : (i + 4) % 2;
 }
 
-/* In eighths of a texel: each of the four texels around the place counts as the area opposite it. */
+/* In eighths of a texel: each of the four texels around counts as the area opposite it. */
 static bool texels_are_exact(const void *tried) {
     const struct small_texture *c = tried;
     uint32_t texels[2 * 2 + 3];
