@@ -64,7 +64,7 @@ LANES_INLINE longs find_beyond(const struct clip_positions *p, double guard_band
 LANES_INLINE ints snap(doubles screen) {
     doubles place = screen * SUBPIXELS + 0.5;
     /* The conversion rounds towards 0. Where that was up, go one down. */
-    doubles whole = doubles_from_ints(__builtin_convertvector(place, ints));
+    doubles whole = __builtin_convertvector(__builtin_convertvector(place, ints), doubles);
     whole -= doubles_where(whole > place, doubles_all(1));
     return __builtin_convertvector(whole, ints);
 }

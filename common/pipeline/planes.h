@@ -90,8 +90,8 @@ LANES_INLINE void find_edge_planes(const struct corners_together *of, ints *x0, 
     for (int c = 0; c < 3; c++) {
         memcpy(&at_x, of->x[c], sizeof at_x);
         memcpy(&at_y, of->y[c], sizeof at_y);
-        x[c] = doubles_from_ints(at_x - (*x0 * SUBPIXELS + SUBPIXELS / 2));
-        y[c] = doubles_from_ints(at_y - (*y0 * SUBPIXELS + SUBPIXELS / 2));
+        x[c] = __builtin_convertvector(at_x - (*x0 * SUBPIXELS + SUBPIXELS / 2), doubles);
+        y[c] = __builtin_convertvector(at_y - (*y0 * SUBPIXELS + SUBPIXELS / 2), doubles);
     }
     for (int c = 0; c < 3; c++) {
         int a = (c + 1) % 3, b = (c + 2) % 3;
@@ -145,8 +145,8 @@ LANES_INLINE void find_planes(const struct corners_together *of, const struct sh
     for (int c = 0; c < 3; c++) {
         edge[c] = planes_scale(edge[c], recip_w[c] * scale * unit);
     }
-    write_number(to, PLANES_X0, doubles_from_ints(x0));
-    write_number(to, PLANES_Y0, doubles_from_ints(y0));
+    write_number(to, PLANES_X0, __builtin_convertvector(x0, doubles));
+    write_number(to, PLANES_Y0, __builtin_convertvector(y0, doubles));
     for (size_t k = 0; k < n; k++) {
         doubles v0 = doubles_load(of->varyings[0][k]);
         struct planes_together to_1 = planes_scale(edge[1], doubles_load(of->varyings[1][k]) - v0);

@@ -101,29 +101,12 @@ LANES_INLINE uint32_t list_visible(const struct call_band *band) {
     return count;
 }
 
-/* Ask the memory for a piece that will be fetched soon, and for the face of an even sooner one. */
-LANES_INLINE void expect_pieces(const struct call_band *band, const uint32_t *visible,
-                                uint32_t count) {
-    enum { PIECES_AHEAD = 16, FACES_AHEAD = 8 };
-    struct piece *const *pieces = band->scratch->pieces;
-    if (count > PIECES_AHEAD) {
-        __builtin_prefetch(pieces[visible[PIECES_AHEAD] - 1]);
-    }
-    if (count > FACES_AHEAD) {
-        uint32_t face = pieces[visible[FACES_AHEAD] - 1]->face;
-        const struct corner *corner = band->call->call.model->faces[face].corner;
-        __builtin_prefetch(&corner[0]);
-        __builtin_prefetch(&corner[2].normal);
-    }
-}
-
 /* Find the planes of the visible pieces. */
 LANES_INLINE void fetch_planes(const struct call_band *band, const struct shader *shader,
                                uint32_t count) {
     const uint32_t *visible = band->scratch->visible;
     struct corners_together corners = {0};
     for (uint32_t i = 0; i < count; i++) {
-        expect_pieces(band, visible + i, count - i);
         const struct piece *piece = uncount_hidden(band, visible[i]);
         band->scratch->plane_index[visible[i]] = i;
         put_corners(band, shader, piece, &corners, i % TOGETHER);

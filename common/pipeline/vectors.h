@@ -46,15 +46,9 @@ LANES_INLINE uint32_t lanes_bits(lanes_int mask) {
 
 /* Round down to a whole number. A number beyond 2^22 may become any other one. */
 LANES_INLINE lanes lanes_floor_any(lanes a) {
-#if LANES_OF_TYPE(REAL) == 16 && defined(__AVX512F__)
-    return (lanes)_mm512_floor_ps((__m512)a);
-#elif LANES_OF_TYPE(REAL) == 8 && defined(__AVX2__)
-    return (lanes)_mm256_floor_ps((__m256)a);
-#else
     const real whole = LANES_IS_FLOAT ? 0x1.8p23f : (real)0x1.8p52; /* so large: no fraction */
     lanes nearest = (a + whole) - whole;
     return lanes_select(nearest > a, nearest - 1, nearest);
-#endif
 }
 
 LANES_INLINE lanes_int lanes_int_all(int32_t value) {
@@ -90,15 +84,8 @@ LANES_INLINE lanes_texel lanes_fetch(const uint32_t *texels, const uint32_t inde
     return all;
 }
 
-/* Where lanes_fetch_pairs() keeps the pair of a lane. */
-LANES_INLINE int lanes_pair_place(int lane) {
-    return LANES < 4 ? lane : lane % 4 / 2 * (LANES / 2) + lane / 4 * 2 + lane % 2;
-}
-
 /* For each lane, fetch the texel that is so many bytes behind the first one, and the texel behind
- * it. Both are read at once, as a pair. Of each four lanes, the pairs of two are kept in the lower
- * half of a register and those of two in the upper half, because then one instruction, vshufps,
- * separates the first texels from the second ones. */
+ * it. Both are read at once, as a pair. */
 LANES_INLINE void lanes_fetch_pairs(const uint32_t *texels, lanes_texel bytes, lanes_texel *first,
                                     lanes_texel *second) {
     uint32_t at[LANES], lower[LANES], upper[LANES];
@@ -106,11 +93,11 @@ LANES_INLINE void lanes_fetch_pairs(const uint32_t *texels, lanes_texel bytes, l
     memcpy(at, &bytes, sizeof at);
     for (int i = 0; i < LANES; i++) {
         const uint32_t *texel = (const void *)((const char *)texels + at[i]);
-        pair[lanes_pair_place(i)] = texel[0] | (uint64_t)texel[1] << 32;
+        pair[i] = texel[0] | (uint64_t)texel[1] << 32;
     }
     for (int i = 0; i < LANES; i++) {
-        lower[i] = (uint32_t)pair[lanes_pair_place(i)];
-        upper[i] = (uint32_t)(pair[lanes_pair_place(i)] >> 32);
+        lower[i] = (uint32_t)pair[i];
+        upper[i] = (uint32_t)(pair[i] >> 32);
     }
     memcpy(first, lower, sizeof *first);
     memcpy(second, upper, sizeof *second);
@@ -145,16 +132,6 @@ LANES_INLINE doubles doubles_load(const double from[TOGETHER]) {
     doubles values;
     memcpy(&values, from, sizeof values);
     return values;
-}
-
-LANES_INLINE doubles doubles_from_ints(ints whole) {
-#if LANES == 16 && defined(__AVX512F__)
-    return (doubles)_mm512_cvtepi32_pd((__m256i)whole);
-#elif LANES == 8 && defined(__AVX2__)
-    return (doubles)_mm256_cvtepi32_pd((__m128i)whole);
-#else
-    return __builtin_convertvector(whole, doubles);
-#endif
 }
 
 LANES_INLINE doubles doubles_abs(doubles value) {
