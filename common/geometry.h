@@ -132,7 +132,7 @@ static inline struct vec3 vec3_interpolate(struct vec3 weight, struct vec3 a, st
                          interpolate(weight, a.z, b.z, c.z)};
 }
 
-/* The nearest level 0..255 (halves up, clamped; 0 for what is not a number). */
+/* The nearest level 0..255 (halves up, clamped; 0 for NaN). */
 static inline uint8_t level_from(double value) {
     if (!(value > 0)) {
         return 0;

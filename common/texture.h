@@ -87,7 +87,7 @@ static inline struct vec4 channels_from_texel(uint32_t texel) {
     return (struct vec4){c.r, c.g, c.b, c.a};
 }
 
-/* A coordinate in texels brought into 0..last; what is not a number becomes 0. Written so that
+/* A coordinate in texels brought into 0..last; NaN becomes 0. Written so that
  * compilers make two selects of it and no branch. */
 static inline double texture_clamp(double texels, double last) {
     double positive = texels > 0 ? texels : 0;

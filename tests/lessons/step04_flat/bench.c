@@ -86,7 +86,7 @@ static long double exact_intensity(const struct model *model, size_t face, struc
     return length > 0 ? real3_dot(normal, to) / length : 0;
 }
 
-/* A level as the picture can show it; what is not a number is shown as 0. */
+/* A level as the picture can show it; NaN is shown as 0. */
 static double shown_level(double level) {
     return level > 0 ? fmin(level, 255) : 0;
 }
