@@ -430,28 +430,16 @@ static bool next_call(struct call_band *band, size_t place) {
     return band->numbers.begin < band->numbers.end;
 }
 
-/* Is the current call behind everything that its rows of the band show? */
-static bool call_is_behind(const struct call_band *band) {
-    struct screen_place place = band->call->place;
-    place.rows = rows_in_band(band, place.rows);
-    return band->frame->reordered && is_behind(band->frame, band->chunks, &place);
-}
-
 /* Cover the pieces of the round's calls in the band. Pieces of earlier rounds are only numbered. */
 static void cover_calls(struct call_band *band) {
     struct index_range round = band->frame->round;
     for (size_t i = 0; i < round.end; i++) {
-        if (!next_call(band, i) || i < round.begin) {
-            continue;
-        }
-        if (call_is_behind(band)) {
-            band->stats[STAT_FACES_BEHIND] += (uint64_t)(band->numbers.end - band->numbers.begin);
-            continue;
-        }
-        band->columns = band->changed_rows = (struct span){INT_MAX, 0};
-        cover_call(band);
-        if (band->frame->reordered) {
-            update_farthest(band);
+        if (next_call(band, i) && i >= round.begin) {
+            band->columns = band->changed_rows = (struct span){INT_MAX, 0};
+            cover_call(band);
+            if (band->frame->reordered) {
+                update_farthest(band);
+            }
         }
     }
 }
