@@ -274,12 +274,17 @@ struct polygon {
     size_t count;
 };
 
-/* BEGIN SOLUTION 8e.1 clipping */
-/* Signed distances to the planes, positive inside. */
+/* The signed distance of a position from plane 0..4, 0 on it and positive inside. */
 static double plane_distance(struct vec4 p, int plane) {
-    switch (plane) {
-    case 0:
+    /* BEGIN SOLUTION 8e.1 near plane */
+    if (plane == 0) {
         return p.w - near_w;
+    }
+    /* STARTER
+    // to do 8e.1: the distance from the near plane, which is plane 0
+    END SOLUTION */
+    /* BEGIN SOLUTION 8e.2 guard band */
+    switch (plane) {
     case 1:
         return guard_band * p.w + p.x;
     case 2:
@@ -289,8 +294,13 @@ static double plane_distance(struct vec4 p, int plane) {
     default:
         return guard_band * p.w - p.y;
     }
+    /* STARTER
+    (void)p, (void)plane;
+    return 1; // to do 8e.2: the distances from planes 1 to 4; until then all is inside
+    END SOLUTION */
 }
 
+/* BEGIN SOLUTION 8e.1 near plane */
 static double mix(double from, double to, double t) {
     return from + t * (to - from);
 }
@@ -310,11 +320,11 @@ static struct clip_corner cut_edge(const struct clip_corner *inside,
 }
 /* END SOLUTION */
 
-/* What plane 0..4 leaves of a polygon (Sutherland and Hodgman, "Reentrant Polygon Clipping", 1974).
- * Inside are w >= near_w (plane 0), guard_band * w >= -x (1), >= x (2), >= -y (3) and >= y (4). */
+/* What plane 0..4 leaves of a polygon (Sutherland and Hodgman, "Reentrant Polygon Clipping",
+ * 1974). */
 static struct polygon clip_at_plane(const struct polygon *polygon, int plane) {
     struct polygon result = {.count = 0};
-    /* BEGIN SOLUTION 8e.1 clipping */
+    /* BEGIN SOLUTION 8e.1 near plane */
     for (size_t i = 0; i < polygon->count; i++) {
         const struct clip_corner *a = &polygon->corner[i];
         const struct clip_corner *b = &polygon->corner[(i + 1) % polygon->count];
@@ -331,7 +341,8 @@ static struct polygon clip_at_plane(const struct polygon *polygon, int plane) {
         }
     }
     /* STARTER
-    (void)polygon, (void)plane; // to do 8e.1: keep the corners inside, cut the edges that cross
+    (void)polygon, (void)plane, (void)plane_distance;
+    // to do 8e.1: keep the corners inside, cut the edges that cross
     END SOLUTION */
     return result;
 }

@@ -1,5 +1,5 @@
 /*
- * Scene `lookat` drawn by OpenGL, without a window (EGL), to compare: question 9.
+ * Scene `lookat` drawn by OpenGL, without a window (EGL), to compare: CAMERA.md, question 5.
  *
  * OpenGL gets your matrices projection() and lookat(), and the light at the corners. It clips,
  * divides, finds the pixels, tests the depth and mixes by itself.

@@ -21,9 +21,10 @@ enum { CLIP_PLANES = 5 };
 
 /* The signed distance of a position from a plane, positive inside. */
 static double plane_distance(struct vec4 p, int plane, double guard_band) {
-    switch (plane) {
-    case 0:
+    if (plane == 0) {
         return p.w - near_w;
+    }
+    switch (plane) {
     case 1:
         return guard_band * p.w + p.x;
     case 2:

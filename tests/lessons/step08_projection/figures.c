@@ -216,6 +216,63 @@ static void draw_normals(void) {
     figure_save(&sheet.image, "normals");
 }
 
+/* ---- Two frames ---- */
+
+/* An arrow of width 0.05 without a head. */
+static void draw_axis(const struct plane *plane, struct vec2 from, struct vec2 axis,
+                      struct color color) {
+    const struct vec2 to = vec2_add(from, axis), side = {-0.025 * axis.y, 0.025 * axis.x};
+    const struct vec2 corner[4] = {vec2_sub(from, side), vec2_sub(to, side), vec2_add(to, side),
+                                   vec2_add(from, side)};
+    plane_polygon(plane, corner, color);
+}
+
+static void draw_dot(const struct plane *plane, struct vec2 p, struct color color) {
+    enum { SEGMENTS = 16 };
+    for (int i = 0; i < SEGMENTS; i++) {
+        const struct vec2 a = vec2_scale(turn_direction((double)i / SEGMENTS), 0.07);
+        const struct vec2 b = vec2_scale(turn_direction((double)(i + 1) / SEGMENTS), 0.07);
+        const struct vec2 corner[4] = {p, vec2_add(p, a), vec2_add(p, b), vec2_add(p, b)};
+        plane_polygon(plane, corner, color);
+    }
+}
+
+/* The house, the axes of the world and those of a person at c, and how the person measures the
+ * house's corner at (1,0). */
+static void draw_frame(const struct plane *plane, struct vec2 c, struct vec2 right,
+                       struct vec2 ahead) {
+    const struct vec2 corner = {1, 0}, q = vec2_sub(corner, c);
+    const double along = q.x * right.x + q.y * right.y;
+    fill_area(plane->image, plane->area, color_grey(26));
+    plane_line(plane, (struct vec2){-9, 0}, (struct vec2){9, 0}, color_grey(120));
+    plane_line(plane, (struct vec2){0, -9}, (struct vec2){0, 9}, color_grey(120));
+    draw_house(plane);
+    draw_axis(plane, c, right, color_rgb(255, 150, 40));
+    draw_axis(plane, c, ahead, color_rgb(70, 210, 110));
+    plane_line(plane, c, vec2_add(c, vec2_scale(right, along)), color_grey(255));
+    plane_line(plane, corner, vec2_add(c, vec2_scale(right, along)), color_grey(255));
+    draw_dot(plane, c, color_grey(160));
+    draw_dot(plane, corner, color_grey(255));
+}
+
+/* Left with the world's axes upright, right with the person's. */
+static void draw_frames(void) {
+    const struct vec2 c = {0, -1}, right = {0.8, 0.6}, ahead = {-0.6, 0.8};
+    const struct mat4 rows = {
+        {{right.x, right.y, 0, 0}, {ahead.x, ahead.y, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}};
+    const struct mat4 aside = mat4_translation((struct vec3){-0.5, -0.1, 0});
+    const struct mat4 maps[2] = {mat4_identity(),
+                                 mat4_mul(rows, mat4_translation((struct vec3){-c.x, -c.y, 0}))};
+    struct sheet sheet = row_create(LARGE_SIDE, 2);
+    for (int i = 0; i < 2; i++) {
+        struct plane plane = plane_in(&sheet.panel, whole_image(&sheet.panel));
+        plane.to_screen = mat4_mul(plane.to_screen, mat4_mul(aside, maps[i]));
+        draw_frame(&plane, c, right, ahead);
+        sheet_add(&sheet);
+    }
+    figure_save(&sheet.image, "frames");
+}
+
 /* ---- The program ---- */
 
 void draw_figures(struct model *bust) {
@@ -229,4 +286,5 @@ void draw_figures(struct model *bust) {
     draw_close(&drawing);
     draw_clipping(&drawing);
     draw_normals();
+    draw_frames();
 }

@@ -109,7 +109,7 @@ static struct shown called_placed_by_hers(struct vec4 clip) {
     TEXT_WITH("8b.1", "place(" #clip ", ...)", called_placed(xyzw clip), right,                    \
               called_placed_by_hers(xyzw clip))
 
-/* ---- 8e.1 ---- */
+/* ---- Clipping ---- */
 
 /* A triangle with the weights of a face's own corners, clipped. It is listed from the corner on
  * that is most like the first: a program may begin with another one. */
@@ -192,8 +192,8 @@ static bool called_same_from_both_ends(void) {
     return true;
 }
 
-#define CLIP(plane, a, b, c, right)                                                                \
-    TEXT("8e.1", "clip_at_plane(" #a " " #b " " #c ", " #plane ")",                                \
+#define CLIP(task, plane, a, b, c, right)                                                          \
+    TEXT(task, "clip_at_plane(" #a " " #b " " #c ", " #plane ")",                                  \
          called_cut_at(false, xyzw a, xyzw b, xyzw c, plane, right), right)
 #define WEIGHTS(plane, a, b, c, right)                                                             \
     TEXT("8e.1", "clip_at_plane(" #a " " #b " " #c ", " #plane "), weights",                       \
@@ -240,20 +240,20 @@ static void numbers(void) {
     SEEN((0, 3, 0), (0, 0, 0), (0, 1, 1e-12), (1, 2, 3), xyz(3, 1, 2));
     SEEN((0, 3, 0), (0, 0, 0), (0, 1, 1e-9), (1, 2, 3), xyz(-1, 3, 2));
     SEEN((2, 4, 2), (0, 3, 0), (-2, -1, -2), (1, 5, 3), xyz(-sqrt(2), 4 / sqrt(18), 10.0 / 3));
-    CLIP(0, (0, 0, 0, 0.5), (0, 8, 4, 0.5), (4, 0, 8, -0.5),
+    CLIP("8e.1", 0, (0, 0, 0, 0.5), (0, 8, 4, 0.5), (4, 0, 8, -0.5),
          "(0,0,0,0.5) (0,8,4,0.5) (1.96875,4.0625,5.96875,0.0078125) (1.96875,0,3.9375,0.0078125)");
-    WEIGHTS(1, (0, 0, 0, 0.5), (0, 8, 4, 0.5), (-128, 0, 8, 0.5),
-            "(1,0,0) (0,1,0) (0,0.75,0.25) (0.75,0,0.25)");
-    CLIP(1, (0, 0, 0, 0.5), (0, 8, 4, 0.5), (-128, 0, 8, 0.5),
-         "(0,0,0,0.5) (0,8,4,0.5) (-32,6,5,0.5) (-32,0,2,0.5)");
-    CLIP(2, (0, 0, 0, 0.5), (128, 0, 8, 0.5), (0, 8, 4, 0.5),
-         "(0,0,0,0.5) (32,0,2,0.5) (32,6,5,0.5) (0,8,4,0.5)");
-    CLIP(3, (0, 0, 0, 0.5), (8, -128, 0, 0.5), (8, -128, 4, 0.5),
-         "(0,0,0,0.5) (2,-32,0,0.5) (2,-32,1,0.5)");
-    CLIP(4, (0, 0, 0, 0.5), (8, 128, 0, 0.5), (8, 128, 4, 0.5),
-         "(0,0,0,0.5) (2,32,0,0.5) (2,32,1,0.5)");
+    WEIGHTS(0, (0, 0, 0, 0.5), (0, 8, 4, 0.5), (4, 0, 8, -0.15625),
+            "(1,0,0) (0,1,0) (0,0.25,0.75) (0.25,0,0.75)");
     AS_WHOLE("8e.1", "clip_at_plane(7 corners, one of them behind, 0): corners",
              called_corners_of_seven(), 8);
     TEXT("8e.1", "clip_at_plane(), the same edge from either end: the very same point",
          show_truth(called_same_from_both_ends()), "true");
+    CLIP("8e.2+8e.1", 1, (0, 0, 0, 0.5), (0, 8, 4, 0.5), (-128, 0, 8, 0.5),
+         "(0,0,0,0.5) (0,8,4,0.5) (-32,6,5,0.5) (-32,0,2,0.5)");
+    CLIP("8e.2+8e.1", 2, (0, 0, 0, 0.5), (128, 0, 8, 0.5), (0, 8, 4, 0.5),
+         "(0,0,0,0.5) (32,0,2,0.5) (32,6,5,0.5) (0,8,4,0.5)");
+    CLIP("8e.2+8e.1", 3, (0, 0, 0, 0.5), (8, -128, 0, 0.5), (8, -128, 4, 0.5),
+         "(0,0,0,0.5) (2,-32,0,0.5) (2,-32,1,0.5)");
+    CLIP("8e.2+8e.1", 4, (0, 0, 0, 0.5), (8, 128, 0, 0.5), (8, 128, 4, 0.5),
+         "(0,0,0,0.5) (2,32,0,0.5) (2,32,1,0.5)");
 }
