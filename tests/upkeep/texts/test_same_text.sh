@@ -41,6 +41,11 @@ for name in plane_distance mix cut_edge clip_at_plane; do
     same $lesson common/pipeline/clip.c $name
 done
 
+# The functions that lesson 9's page on the pipeline names are there.
+for name in $(grep -oE '`[a-z_]+\(\)`' step09_shaders/PIPELINE.md | tr -d '`()' | sort -u); do
+    grep -rqw "$name" common step0[89]_*/main.c || wrong "PIPELINE.md names $name(), which isn't there"
+done
+
 # The version, where it stands; and the tasks of each lesson on the page for a semester, with the hours of the map.
 version=$(sed -n 's/^#define COURSE_VERSION "\(.*\)"/\1/p' common/run/options.h)
 grep -q "version $version, 20" README.md || wrong "README.md does not say how to cite version $version"
