@@ -50,7 +50,7 @@ static lanes integer_power(lanes base, lanes power, int largest_power) {
 
 /* Where a mirror with this normal sends the light: r, which makes the same angle with the normal as
  * `to_light`, on the other side of it and in one plane with both. All point away from the mirror
- * and have length 1. For the normal (0, 1, 0) and `to_light` (0.8, 0.6, 0) it is (-0.8, 0.6, 0). */
+ * and have length 1. */
 static struct lanes3 reflect(struct lanes3 normal, struct lanes3 to_light) {
     /* BEGIN SOLUTION 10b.2 the mirrored light */
     return lanes3_sub(lanes3_scale(normal, 2 * lanes3_dot(normal, to_light)), to_light);
@@ -256,7 +256,12 @@ static lanes_mask weight_map_fragment(const void *uniforms, const lanes *varying
     *color = illuminate(u, &surface);
     return lanes_all_set();
     /* STARTER
-    return full_fragment(uniforms, varyings, color); // to do 10c.3: the weight from the map
+    const struct uniforms *u = uniforms;
+    struct surface surface = textured_surface(u, varyings);
+    surface.normal = mapped_normal(u, varyings);
+    // to do 10c.3: the weight from the map
+    *color = illuminate(u, &surface);
+    return lanes_all_set();
     END SOLUTION */
 }
 
@@ -273,7 +278,12 @@ static lanes_mask power_map_fragment(const void *uniforms, const lanes *varyings
     *color = illuminate(u, &surface);
     return lanes_all_set();
     /* STARTER
-    return full_fragment(uniforms, varyings, color); // to do 10c.3: the power from the map
+    const struct uniforms *u = uniforms;
+    struct surface surface = textured_surface(u, varyings);
+    surface.normal = mapped_normal(u, varyings);
+    // to do 10c.3: the power from the map
+    *color = illuminate(u, &surface);
+    return lanes_all_set();
     END SOLUTION */
 }
 
