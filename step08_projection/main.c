@@ -133,8 +133,8 @@ static bool place(struct vec4 clip, const struct mat4 *to_screen, struct vertex 
 
 /* ---- Perspective ---- */
 
-/* A camera at (0, 0, distance) that looks along -z: makes w, how far away a point is, counted in
- * distances. An infinite distance gives the parallel view, with w = 1. */
+/* A camera at (0, 0, distance) that looks along -z. It makes w, how far away a point is along the
+ * direction of view, counted in distances. An infinite one gives the parallel view, with w = 1. */
 static struct mat4 projection(double distance) {
     /* BEGIN SOLUTION 8b.2 perspective */
     struct mat4 projection = mat4_identity();
