@@ -1,9 +1,4 @@
 /* Lesson 2, the given part: the pictures of README.md, and the program. */
-#ifdef LINE_IS_MINE /* make LINE=mine: the line() of lesson 1 draws */
-#include "run/mine.h"
-#define line        my_line
-#define line_inside my_line
-#endif
 
 /* ---- Scene: points ---- */
 

@@ -1,9 +1,5 @@
 /* Lesson 3, the given part: the pictures of README.md, and the program. */
 #include <string.h>
-#ifdef LINE_IS_MINE /* make LINE=mine: the line() of lesson 1 draws */
-#include "run/mine.h"
-#define draw_line my_line
-#endif
 
 /* ---- Scenes: outline, signs ---- */
 

@@ -27,7 +27,8 @@ check: $(MODEL) $(BUILD)/check $(HIDDEN:%=$(BUILD)/hidden) $(if $(MAKE_TERMOUT),
 	    --make '$(MAKE) -s $(KNOWN)' \
 	    $(if $(SANITIZE),--sanitized) \
 	    $(if $(REPORT),--junit $(REPORT).xml --json $(REPORT).json --html $(REPORT).html) \
-	    $(STEP) $(THEN_HIDDEN)
+	    $(if $(HOUSE),$(if $(REPORT),,--json $(BUILD)/checked.json)) $(STEP) $(THEN_HIDDEN) \
+	    $(if $(HOUSE),|| { sh tests/student/mine/mine.sh whose '$(BUILD)' '$(or $(REPORT),$(BUILD)/checked).json'; exit 1; })
 
 $(STEPS:%=$(BUILD)/sanitized/%): $(BUILD)/sanitized/%: %/main.c $(BUILD)/%.text \
                                                        $(BUILD)/quick/libcommon.a $(BUILD)/flags

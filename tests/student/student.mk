@@ -9,7 +9,8 @@
 ##   make new NAME=mine          a program of your own, mine/main.c, which draws with the pipeline
 ##   make mine                   build it and draw build/out/mine/turn.png (MODEL=a.obj, or several)
 ##   make renderer               what you wrote in ten lessons becomes one C file (OUT=renderer.c)
-##   make LINE=mine              lessons 2 to 8 draw with what you wrote in lessons 1 and 3
+##   make MINE=1                 lessons draw with what you wrote in earlier ones (STEP=05; also with
+##                               check, live, show, open, watch)
 .PHONY: start solution hint show open live watch new renderer
 start solution:
 	@sh tests/student/start.sh $@ '$(STEP)'
@@ -77,25 +78,11 @@ $(OWN:%=$(BUILD)/own/%): $(BUILD)/own/%: %/main.c $(BUILD)/libcommon.a $(BUILD)/
 	@mkdir -p $(@D)
 	$(BUILD_LESSON)
 
-# ---- LINE=mine ----
+# ---- MINE=1 ----
 
-# Lessons 2 and 3 draw with the line() of lesson 1's main.c, lessons 4 to 8 with the triangles of
-# lesson 3's, whoever wrote them. (The house versions get their names.)
-ifeq ($(LINE),mine)
-ifneq ($(filter check,$(MAKECMDGOALS)),)
-$(error make check judges each lesson by itself: leave LINE=mine out)
-endif
-ifeq ($(wildcard step01_line/mine.c)$(wildcard step03_triangle/mine.c),)
-$(error LINE=mine draws with what you wrote in lessons 1 and 3, which are not here)
-endif
-LESSON_OBJECTS = $(patsubst %/mine.c,$(BUILD)/mine/%.o,$(wildcard step*/mine.c))
-MADE_OF_MINE = $(foreach room,/ /quick/ /moving/,$(foreach n,$(1),$(BUILD)$(room)step0$(n)%))
-$(foreach room,/ /quick/ /moving/,$(STEPS:%=$(BUILD)$(room)%)): $(LESSON_OBJECTS)
-$(call MADE_OF_MINE,2 3): LESSON_FLAGS = -DLINE_IS_MINE -Wno-unused-function
-$(call MADE_OF_MINE,4 5 6 7 8): LESSON_FLAGS = -Dedges_setup=my_triangle_setup \
-                                                           -Dedges_span=my_triangle_span
-$(BUILD)/mine/%.o: %/mine.c %/main.c $(BUILD)/%.text $(BUILD)/flags
-	@mkdir -p $(@D)
-	$(SAY) CC $<
-	$(Q)$(COMPILE) -c $< -o $@
+.PHONY: shared
+shared: $(SHARED)
+	@:
+ifneq ($(HOUSE),)
+include tests/student/mine/hers.mk
 endif

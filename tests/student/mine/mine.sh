@@ -1,0 +1,203 @@
+#!/bin/sh
+# The parts of `make MINE=1`, for mine.mk and hers.mk. BUILD is its own build directory, LESSON is
+# such as step05_zbuffer:
+#
+#     mine.sh link HOUSE                  make HOUSE/mine, with what lessons share linked from HOUSE
+#     mine.sh hers BUILD LESSON COMPILE   BUILD/hers/LESSON.o: the functions of the lesson that are right,
+#                                         BUILD/hers/LESSON.names: which they are, as lines of mine.txt
+#     mine.sh names BUILD LESSON EARLIER...   BUILD/hers/LESSON.h: in front of it, their names
+#     mine.sh say BUILD LESSON...         with what they are drawn
+#     mine.sh whose BUILD                 after a check, which wrote BUILD/checked.json: what of earlier
+#                                         lessons makes pictures wrong
+#
+# A function is known as LESSON_NAME, where NAME is the house's: a pointer, which is the house's again
+# where the environment's COURSE_OURS names it, or is `all`. (So mine.sh finds out whose fault it is.)
+
+cd "$(dirname "$0")/../../.." || exit 1
+do=$1
+build=$2
+lesson=$3
+table=tests/student/mine.txt
+
+# table_of LESSON: her name, the house's name, tasks, words, adapter.
+table_of() {
+    sed 's/^via //' $table | awk -v lesson="$1" '$1 == lesson { print $2, $3, $4, $5, $6 }'
+}
+
+number_of() {
+    echo "$1" | sed 's/^step0*\([0-9]*\).*/\1/'
+}
+
+link() {
+    house=$build
+    mkdir -p "$house/mine/quick" "$house/common" "$house/tests" "$house/quick/common" "$house/quick/tests" || exit 1
+    for file in common tests models flags sculptor libcommon.a check show live compare_page; do
+        ln -sfn "../$file" "$house/mine/$file" || exit 1
+    done
+    for file in common tests libcommon.a; do
+        ln -sfn "../../quick/$file" "$house/mine/quick/$file" || exit 1
+    done
+}
+
+# Which tasks have all their points?
+right_tasks() {
+    sed -n 's/.*"task": "\([^"]*\)".*"points": \([0-9]*\), "most": \2}.*/\1/p' "$build/hers/$lesson.json"
+}
+
+hers() {
+    compile=$1
+    source=$build/hers/$lesson.c
+    right=$(right_tasks | tr '\n' ' ')
+    table_of "$lesson" | awk -v right=" $right" '{
+        n = split($3, tasks, ",")
+        for (i = 1; i <= n && index(right, " " tasks[i] " "); i++);
+        if (i > n) print }' >"$build/hers/$lesson.names"
+    [ ! -s "$build/hers/$lesson.names" ] || write_source >"$source"
+    if [ ! -s "$build/hers/$lesson.names" ] || ! $compile -include "$build/hers/$lesson.h" -c "$source" \
+        -o "$build/hers/$lesson.o" 2>"$source.said"; then
+        : >"$build/hers/$lesson.names"
+        echo 'typedef int nothing_is_right;' >"$source"
+        $compile -c "$source" -o "$build/hers/$lesson.o"
+    fi
+}
+
+write_source() {
+    echo "#line 1 \"$lesson/main.c\""
+    sed '/^[ \t]*#[ \t]*include[ \t]*"scenes.h"/,$d' "$lesson/main.c"
+    echo "#line 1 \"$table\""
+    echo '#include <stdlib.h>'
+    echo '#include <string.h>'
+    case $lesson in step01_*) echo '#define HER_LINE line' ;; *) echo '#define HER_LINE line_inside' ;; esac
+    awk '$5 != "" && !seen[$5]++ { print "#include \"tests/student/mine/" $5 ".h\"" }
+        { print "__typeof__(" $2 ") *'"$lesson"'_" $2 " = " $1 ";" }
+        { choice = choice "    if (ours != NULL && (strcmp(ours, \"" $4 "\") == 0 || strcmp(ours, \"all\") == 0)) {\n" }
+        { choice = choice "        '"$lesson"'_" $2 " = " $2 ";\n    }\n" }
+        END {
+            print "__attribute__((constructor)) static void choose(void) {"
+            print "    const char *ours = getenv(\"COURSE_OURS\");\n" choice "}"
+        }' "$build/hers/$lesson.names"
+}
+
+# uses NAME: does the lesson's text have it? (Its cameras come from camera_call().)
+uses() {
+    case $1 in
+    mat4_*) cat "$lesson"/*.[ch] | grep -q pipeline_call ;;
+    pipeline_finish) cat "$lesson"/*.[ch] | grep -q 'pipeline_end' ;;
+    *) cat "$lesson"/*.[ch] | grep -qw "$1" ;;
+    esac
+}
+
+names() {
+    out=$build/hers/$lesson.h
+    {
+        echo "/* Behind this the lesson is compiled: names of earlier lessons. */"
+        for earlier; do
+            while read -r _ name _; do
+                ! uses "$name" || { # 
+                    case $name in
+                    texture_*) echo '#include "texture.h"' ;;
+                    model_*) echo '#include "model.h"' ;;
+                    pipeline_*) echo '#include "pipeline.h"' ;;
+                    *) echo '#include "raster.h"' ;;
+                    esac
+                    echo "extern __typeof__($name) *${earlier}_$name;"
+                    echo "$name ${earlier}_$name" >>"$out.defines"
+                }
+            done <"$build/hers/$earlier.names"
+        done
+        [ ! -f "$out.defines" ] || awk '{ of[$1] = $2 } END { for (name in of) print "#define " name " " of[name] }' "$out.defines"
+    } >"$out.new"
+    rm -f "$out.defines"
+    mv -f "$out.new" "$out"
+}
+
+# Sets mine and ours to words of the table, for what the lesson draws with.
+find_words() {
+    mine=
+    ours=
+    while read -r from _ name _ word _; do
+        [ -f "$build/hers/$from.names" ] && is_before "$from" "$lesson" && uses "$name" || continue
+        if grep -q " $name " "$build/hers/$from.names"; then
+            mine="$mine $word"
+        else
+            ours="$ours $word"
+        fi
+    done <"$build/hers/table"
+}
+
+# The same through part d of lesson 9.
+find_all_words() {
+    find_words
+    case " $mine " in *' pipeline '*)
+        through=$mine
+        kept=$lesson
+        lesson=$(ls -d step09_*)
+        find_words
+        lesson=$kept
+        mine="$mine $through"
+        ;;
+    esac
+}
+
+is_before() {
+    [ "$(number_of "$1")" -lt "$(number_of "$2")" ]
+}
+
+# list_of WORD...: each once, with commas; those of $except are left out.
+list_of() {
+    printf '%s\n' "$@" | awk -v except=" $except " '
+        $0 != "" && !index(except, " " $0 " ") && !seen[$0]++ { printf "%s%s", (n++ ? ", " : ""), $0 }'
+}
+
+say() {
+    grep -v '^#' $table | sed 's/^via //' >"$build/hers/table"
+    for lesson; do
+        find_all_words
+        # shellcheck disable=SC2086 # words
+        except= yours=$(list_of $mine)
+        # shellcheck disable=SC2086
+        others=$(except=$mine list_of $ours)
+        [ -z "$yours$others" ] || echo "$lesson is drawn with your ${yours:-own main.c}${others:+; ours: $others}."
+    done
+}
+
+# drawn_with OURS: what the scene's picture is, with these words ours.
+drawn_with() {
+    rm -f "$build/hers/$scene.tga"
+    COURSE_OURS=$1 "$build/quick/$lesson" -o "$build/hers" --only "$scene" </dev/null >/dev/null 2>&1
+    cksum "$build/hers/$scene.tga" 2>/dev/null
+}
+
+# Is the scene wrong because of a word, and right where that is ours?
+blame() {
+    right=$(drawn_with all)
+    [ "$right" != "$(drawn_with none)" ] || return
+    for word in $(echo "$mine" | tr ' ' '\n' | sort -u); do
+        if [ "$(drawn_with "$word")" = "$right" ]; then
+            from=$(awk -v word="$word" '$5 == word { print $1; exit }' "$build/hers/table")
+            number=$(number_of "$from")
+            echo "  your $word of lesson $number draws \`$scene\` otherwise${where:+ at $where}; it passes lesson $number's own check"
+            return
+        fi
+    done
+    echo "  what you wrote in earlier lessons draws \`$scene\` otherwise${where:+ at $where}"
+}
+
+whose() {
+    awk -F '"' '/^ *"step": / { step = $4 }
+        /{"scene": / && $8 ~ /FAIL|CRASH/ {
+            where = match($0, /\([0-9]+,[0-9]+\)/) ? substr($0, RSTART, RLENGTH) : ""
+            if (!seen[step, $4]++) print step, $4, where }' "$1" |
+        while read -r lesson scene where; do
+            find_all_words
+            blame
+        done
+}
+
+case $do in
+link) link ;;
+hers) shift 3; hers "$@" ;;
+names) shift 3; names "$@" ;;
+say) shift 2; say "$@" ;;
+whose) shift 2; whose "$@" ;;
+esac
