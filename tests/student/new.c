@@ -9,14 +9,14 @@
 /* What the shader reads. */
 struct uniforms {
     const struct model *model;
-    struct mat4 place;    /* from the model's own space into the world */
-    struct vec3 to_light; /* in the world, of length 1 */
+    struct mat4 normals_to_world; /* from the model's own space */
+    struct vec3 to_light;         /* in the world, of length 1 */
 };
 
 /* A corner hands over its normal in the world. */
 static void vertex(const void *uniforms, size_t face, size_t corner, double *varyings) {
     const struct uniforms *u = uniforms;
-    struct vec3 normal = mat4_direction(&u->place, model_normal(u->model, face, corner));
+    struct vec3 normal = mat4_direction(&u->normals_to_world, model_normal(u->model, face, corner));
     varyings[0] = normal.x;
     varyings[1] = normal.y;
     varyings[2] = normal.z;
@@ -44,10 +44,12 @@ static bool draw(struct drawing *drawing, struct image *image, struct error *err
     for (size_t i = 0; done && i < drawing->model_count; i++) {
         struct draw_call call = pipeline_call(drawing, whole, 0.9 / count, CULL_BACK);
         struct mat4 right = mat4_translation((struct vec3){2 * (double)i - (count - 1), 0, 0});
-        struct uniforms u = {drawing->models[i], mat4_mul(right, mat4_rotation(drawing->up, turns)),
+        struct mat4 place = mat4_mul(right, mat4_rotation(drawing->up, turns)), inverse = place;
+        mat4_inverse(place, &inverse); /* its transpose turns normals, also where it stretches */
+        struct uniforms u = {drawing->models[i], mat4_transpose(inverse),
                              vec3_normalized(drawing->light)};
         call.model = u.model;
-        call.to_clip = mat4_mul(call.to_clip, u.place);
+        call.to_clip = mat4_mul(call.to_clip, place);
         done = pipeline_draw(pipeline, &call, &gooch, &u, sizeof u, error);
     }
     return pipeline_end(drawing, done, image, error);

@@ -3,12 +3,14 @@
 #
 #     next.sh BUILD               after `make`: the head to which the course leads
 #     next.sh BUILD LESSON        when step05_zbuffer is right: its picture, which is the reference
+#     next.sh BUILD '' FILE       after the program of one's own: this picture
 #
 # What one can do after a lesson is in the map of README.md. Exit status 0.
 
 cd "$(dirname "$0")/../.." || exit 1
 build=$1
 done=$2
+own=$3
 . tests/student/drawn.sh
 
 # picture FILE
@@ -46,6 +48,10 @@ begin() {
     fi
 }
 
+if [ -n "$own" ]; then
+    picture "$own"
+    exit
+fi
 if [ -n "$done" ]; then
     map_of "$done" | {
         read -r file && read -r words || exit

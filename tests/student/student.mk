@@ -6,8 +6,9 @@
 ##   make open STEP=05           the same in the browser, in one page
 ##   make live STEP=05           your program under the mouse, in the browser; each save is drawn
 ##   make watch STEP=05          check and show again at every save, until Ctrl-C
-##   make new NAME=mine          a program of your own, mine/main.c, which draws with the pipeline
-##   make mine                   build it and draw build/out/mine/turn.png (MODEL=a.obj, or several)
+##   make new NAME=mine          a program of your own, mine/main.c, which draws with the pipeline; or
+##                               with what you wrote in lesson 3 (AFTER=3)
+##   make mine                   build it, draw into build/out/mine and show that (MODEL=a.obj, or several)
 ##   make renderer               what you wrote in ten lessons becomes one C file (OUT=renderer.c)
 ##   make MINE=1                 lessons draw with what you wrote in earlier ones (STEP=05; also with
 ##                               check, live, show, open, watch)
@@ -66,17 +67,18 @@ renderer: $(BUILD)/models/bust.obj
 
 # A NAME of the environment does not count: WSL has one.
 new:
-	@sh tests/student/new.sh '$(MAKE) -s' $(if $(findstring command,$(origin NAME)),"$$NAME")
+	@sh tests/student/new.sh '$(MAKE) -s' $(if $(findstring command,$(origin NAME)),"$$NAME" "$$AFTER")
 
 OWN := $(patsubst %/.new,%,$(wildcard */.new))
 .PHONY: $(OWN)
-$(OWN): %: $(BUILD)/own/% $(BUILD)/models/bust.obj
+$(OWN): %: $(BUILD)/own/% $(BUILD)/models/bust.obj $(if $(MAKE_TERMOUT),$(BUILD)/show)
 	$(SAY) DRAW $@
-	$(Q)$< --fit --format png $(MODEL)
+	$(Q)$< $(if $(filter 1 01,$(shell cat $@/.new)),,--fit $(MODEL)) --format png
+	@[ ! -t 1 ] || sh tests/student/next.sh '$(BUILD)' '' $(BUILT)/out/$@/*.png
 
 $(OWN:%=$(BUILD)/own/%): $(BUILD)/own/%: %/main.c $(BUILD)/libcommon.a $(BUILD)/flags
 	@mkdir -p $(@D)
-	$(BUILD_LESSON)
+	$(call BUILD_LESSON,$(patsubst %,-DCOURSE_LESSON=% -Wno-unused,$(shell cat $*/.new)))
 
 # ---- MINE=1 ----
 

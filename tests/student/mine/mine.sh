@@ -157,7 +157,7 @@ say() {
         except= yours=$(list_of $mine)
         # shellcheck disable=SC2086
         others=$(except=$mine list_of $ours)
-        [ -z "$yours$others" ] || echo "$lesson is drawn with your ${yours:-own main.c}${others:+; ours: $others}."
+        [ -z "$yours$others" ] || echo "$lesson: drawn with ${yours:+your $yours}${yours:+${others:+; }}${others:+ours: $others}"
     done
 }
 

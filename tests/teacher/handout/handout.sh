@@ -50,7 +50,7 @@ put_lesson() {
     mkdir -p "$new/$1" "$new/tests/student/starters"
     put_text starter "$1"
     cp "$new/$1/main.c" "$new/tests/student/starters/$1.c" || fail 1 "cannot write $new/tests"
-    for file in "$1"/scenes.h "$1"/extra_*.h "$1"/mine.c "$1"/opengl.c "$1"/attempts.h "$1"/hints.txt \
+    for file in "$1"/scenes.h "$1"/extra_*.h "$1"/opengl.c "$1"/attempts.h "$1"/hints.txt \
         "$1"/figures/* tests/reference/"$1"/* \
         tests/lessons/"$1"/numbers.c tests/lessons/"$1"/trials.c tests/lessons/"$1"/live.c; do
         [ ! -f "$file" ] || echo "$file"
@@ -109,6 +109,9 @@ put tests/more_scenes.h
 ! grep -qs lane_numbers.h "$new"/tests/lessons/*/numbers.c || put tests/lane_numbers.h
 [ ! -f "$new/common/pipeline.h" ] || put tests/student/new.c # which draws with it
 put tests/student/renderer/given.c
+for file in tests/student/mine/*.h; do
+    put "$file"
+done
 for file in LICENSE Makefile .gitattributes .gitignore; do
     put $file
 done
