@@ -107,14 +107,6 @@ after
 redone "$(program quick/$two)" check
 unused_is_shown
 
-# The line() that the second lesson draws with is that of the first one's main.c as it is now.
-rm -f $two/mine.c
-cp "$top/$one"/*.[ch] $one
-make -s CFLAGS=-O0 MARCH= LINE=mine build/$two >log 2>&1 || { tail -n 20 log; exit 1; }
-after $one/main.c 'extern const int used_by_mine;'
-touch -t 199901010000 $one/main.c
-redone "$one.text mine/$one.d mine/$one.o $(program $two)" LINE=mine build/$two
-
 # What was built from a main.c that is gone does not count.
 mv $one/main.c gone.c
 if make -s CFLAGS=-O0 MARCH= check STEP=01 >log 2>&1 ||

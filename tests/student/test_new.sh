@@ -1,7 +1,7 @@
 #!/bin/sh
 # Does `make new` begin a program that works? In a hand-out of lesson 10 it is built without a warning
-# and draws the course's head, then two models. Wrong names make nothing. A hand-out without the
-# pipeline says so.
+# and draws the course's head, then two models. So is one that begins with an earlier lesson's main.c.
+# Wrong names make nothing. A hand-out without the pipeline asks for a lesson.
 . "$(dirname "$0")/../unit/script.sh"
 
 # ---- Names, in the whole course ----
@@ -125,10 +125,23 @@ echo 'int' >>mine/main.c
 hand_out 1 mine
 says 'mine/main.c'
 
+# ---- After each of lessons 1 to 8 ----
+
+for n in 1 2 3 4 5 6 7 8; do
+    cd "$work/course" && said_by 0 make -s new NAME=own$n AFTER=$n && cd "$work/ten" || exit 1
+    said_by 0 cc -std=c17 -Icommon -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-unused -Wno-psabi -Werror \
+        -DCOURSE_LESSON=$n "$work/course/own$n/main.c" build/libcommon.a -lm -pthread -o "$work/own$n"
+    said_by 0 "$work/own$n" -o "$work" --format png $([ $n -eq 1 ] || echo build/models/bust.obj)
+    ./look "$work/picture.png" >"$work/look" || wrong "its picture cannot be read"
+    awk '{ exit !($1 == "400x400" && $7 > 2 && $8 > 2) }' "$work/look" || wrong "after lesson $n: $(cat "$work/look")"
+done
+cd "$work/course" && said_by 2 make -s new NAME=later AFTER=11
+says 'AFTER=11 is none of the lessons'
+
 # ---- A hand-out without the pipeline ----
 
 cd "$top" && said_by 0 make -s handout OUT="$work/one" LESSONS=1
-cd "$work/one" && said_by 1 make -s new NAME=mine
-says 'it needs the pipeline'
+cd "$work/one" && said_by 2 make -s new NAME=mine
+says 'make new NAME=mine AFTER=3'
 [ ! -e mine ] || wrong "mine is made all the same"
 exit $failed

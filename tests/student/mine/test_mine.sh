@@ -1,0 +1,60 @@
+#!/bin/sh
+# make MINE=1: what later lessons draw with what was written in earlier ones. From the solutions it is all
+# hers, the check finds the pictures right, and going to and fro builds nothing again. What is to do, is
+# wrong or does not build is ours. What only a later lesson shows is said to be the earlier one's.
+. "$(dirname "$0")/../../unit/script.sh"
+said=$work/said
+
+# The course with what is built of common, whose flags name the directory where that was.
+mkdir -p "$work/course/tests" "$work/course/build/quick" && cd "$work/course" || exit 1
+cp -R "$top/common" "$top/Makefile" "$top/README.md" "$top"/step*/ . && ln -s "$top"/tests/* tests || exit 1
+for part in flags common tests sculptor models check quick/common quick/tests quick/libcommon.a; do
+    [ ! -e "$build/$part" ] || cp -Rp "$build/$part" "build/$part" || exit 1
+done
+
+# draws STEP TEXT: make MINE=1 check says the text.
+draws() {
+    said_by "${3:-0}" make -s BUILT="$build" MINE=1 check STEP="$1"
+    says "$2"
+}
+
+# change LESSON PATTERN TEXT: in its solution.
+change() {
+    cp "$top/$1/main.c" "$1/main.c" && sed "s|$2|$3|" "$1/main.c" >"$work/main.c" &&
+        ! cmp -s "$work/main.c" "$1/main.c" && cp "$work/main.c" "$1/main.c" || wrong "nothing to change in $1"
+}
+
+# ---- The solutions ----
+
+draws 5 'step05_zbuffer: drawn with your line, triangle, weights, light'
+silent 'ours'
+says 'SCORE 19/19 exact'
+draws 8 'step08_projection: drawn with your line, triangle, weights, sampler'
+says 'SCORE 53/53 exact'
+draws 10 'step10_phong: drawn with your triangle, weights, sampler, camera, perspective, pipeline'
+says 'SCORE 36/36'
+says 'turn PASS' # not exact: it is drawn through part d
+said_by 0 make BUILT="$build" check STEP=8
+said_by 0 make BUILT="$build" MINE=1 check STEP=8
+silent CC
+
+# ---- What is ours ----
+
+for lesson in step03_triangle step06_texture; do
+    awk -v mode=starter -f tests/student/marks.awk "$top/$lesson/main.c" >"$lesson/main.c" || exit 1
+done
+draws 8 'step08_projection: drawn with your line; ours: triangle, weights, sampler'
+says 'SCORE 53/53 exact'
+change step03_triangle 'y_distance < 0 ||' 'y_distance > 0 \&\&'
+echo 'no C' >>step04_flat/main.c
+draws 5 'step05_zbuffer: drawn with your line, weights; ours: triangle, light'
+says 'SCORE 19/19 exact'
+
+# ---- What only a later lesson shows ----
+
+change step03_triangle 'struct span span = {0, edges->width};' \
+    'struct span span = {0, edges->width}; static int rows; if (rows++ == 3000) return (struct span){0, 0};'
+cp "$top"/step04_flat/main.c step04_flat
+draws 4 'your triangle of lesson 3 draws `flat` otherwise' 1
+says "it passes lesson 3's own check"
+exit $failed
