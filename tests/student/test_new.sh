@@ -131,6 +131,7 @@ for n in 1 2 3 4 5 6 7 8; do
     cd "$work/course" && said_by 0 make -s new NAME=own$n AFTER=$n && cd "$work/ten" || exit 1
     said_by 0 cc -std=c17 -Icommon -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-unused -Wno-psabi -Werror \
         -DCOURSE_LESSON=$n "$work/course/own$n/main.c" build/libcommon.a -lm -pthread -o "$work/own$n"
+    # shellcheck disable=SC2046 # no word after lesson 1
     said_by 0 "$work/own$n" -o "$work" --format png $([ $n -eq 1 ] || echo build/models/bust.obj)
     ./look "$work/picture.png" >"$work/look" || wrong "its picture cannot be read"
     awk '{ exit !($1 == "400x400" && $7 > 2 && $8 > 2) }' "$work/look" || wrong "after lesson $n: $(cat "$work/look")"

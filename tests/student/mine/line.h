@@ -1,6 +1,6 @@
 /*
- * For `make MINE=1`: a student's line as line_begin() and line_next(). It is drawn on a sheet as large as
- * the image, and the walk follows its pixels there and takes them away. HER_LINE draws it.
+ * For `make MINE=1`: a student's line as line_begin() and line_next(). HER_LINE draws it on a sheet
+ * as large as the image; the walk follows its pixels there and takes them away.
  */
 static struct image sheet;
 

@@ -3,12 +3,12 @@
 # such as step05_zbuffer:
 #
 #     mine.sh link HOUSE                  make HOUSE/mine, with what lessons share linked from HOUSE
-#     mine.sh hers BUILD LESSON COMPILE   BUILD/hers/LESSON.o: the functions of the lesson that are right,
-#                                         BUILD/hers/LESSON.names: which they are, as lines of mine.txt
+#     mine.sh hers BUILD LESSON           BUILD/hers/LESSON.names: which of its functions are right, as in
+#                                         mine.txt; BUILD/hers/LESSON.c: their source
 #     mine.sh names BUILD LESSON EARLIER...   BUILD/hers/LESSON.h: in front of it, their names
 #     mine.sh say BUILD LESSON...         with what they are drawn
-#     mine.sh whose BUILD                 after a check, which wrote BUILD/checked.json: what of earlier
-#                                         lessons makes pictures wrong
+#     mine.sh whose BUILD REPORT          after a check that wrote this JSON: what of earlier lessons
+#                                         makes pictures wrong
 #
 # A function is known as LESSON_NAME, where NAME is the house's: a pointer, which is the house's again
 # where the environment's COURSE_OURS names it, or is `all`. (So mine.sh finds out whose fault it is.)
@@ -16,7 +16,7 @@
 cd "$(dirname "$0")/../../.." || exit 1
 do=$1
 build=$2
-lesson=$3
+shift 2
 table=tests/student/mine.txt
 
 # table_of LESSON: her name, the house's name, tasks, words, adapter.
@@ -45,23 +45,21 @@ right_tasks() {
 }
 
 hers() {
-    compile=$1
-    source=$build/hers/$lesson.c
+    lesson=$1
     right=$(right_tasks | tr '\n' ' ')
     table_of "$lesson" | awk -v right=" $right" '{
         n = split($3, tasks, ",")
         for (i = 1; i <= n && index(right, " " tasks[i] " "); i++);
         if (i > n) print }' >"$build/hers/$lesson.names"
-    [ ! -s "$build/hers/$lesson.names" ] || write_source >"$source"
-    if [ ! -s "$build/hers/$lesson.names" ] || ! $compile -include "$build/hers/$lesson.h" -c "$source" \
-        -o "$build/hers/$lesson.o" 2>"$source.said"; then
-        : >"$build/hers/$lesson.names"
-        echo 'typedef int nothing_is_right;' >"$source"
-        $compile -c "$source" -o "$build/hers/$lesson.o"
-    fi
+    write_source >"$build/hers/$lesson.c"
 }
 
+# Nothing of what is not right is compiled.
 write_source() {
+    if [ ! -s "$build/hers/$lesson.names" ]; then
+        echo 'typedef int nothing;'
+        return
+    fi
     echo "#line 1 \"$lesson/main.c\""
     sed '/^[ \t]*#[ \t]*include[ \t]*"scenes.h"/,$d' "$lesson/main.c"
     echo "#line 1 \"$table\""
@@ -88,27 +86,17 @@ uses() {
 }
 
 names() {
-    out=$build/hers/$lesson.h
-    {
-        echo "/* Behind this the lesson is compiled: names of earlier lessons. */"
-        for earlier; do
-            while read -r _ name _; do
-                ! uses "$name" || { # 
-                    case $name in
-                    texture_*) echo '#include "texture.h"' ;;
-                    model_*) echo '#include "model.h"' ;;
-                    pipeline_*) echo '#include "pipeline.h"' ;;
-                    *) echo '#include "raster.h"' ;;
-                    esac
-                    echo "extern __typeof__($name) *${earlier}_$name;"
-                    echo "$name ${earlier}_$name" >>"$out.defines"
-                }
-            done <"$build/hers/$earlier.names"
-        done
-        [ ! -f "$out.defines" ] || awk '{ of[$1] = $2 } END { for (name in of) print "#define " name " " of[name] }' "$out.defines"
-    } >"$out.new"
-    rm -f "$out.defines"
-    mv -f "$out.new" "$out"
+    lesson=$1
+    shift
+    for earlier; do
+        while read -r _ name _; do
+            ! uses "$name" || echo "$name ${earlier}_$name"
+        done <"$build/hers/$earlier.names"
+    done | awk '
+        { header = "raster.h"; of[$1] = $2 }
+        /^(texture|model|pipeline)_/ { header = $1 ".h"; sub(/_[^.]*/, "", header) }
+        { print "#include \"" header "\"\nextern __typeof__(" $1 ") *" $2 ";" }
+        END { for (name in of) print "#define " name " " of[name] }' >"$build/hers/$lesson.h"
 }
 
 # Sets mine and ours to words of the table, for what the lesson draws with.
@@ -116,8 +104,9 @@ find_words() {
     mine=
     ours=
     while read -r from _ name _ word _; do
-        [ -f "$build/hers/$from.names" ] && is_before "$from" "$lesson" && uses "$name" || continue
-        if grep -q " $name " "$build/hers/$from.names"; then
+        if [ ! -f "$build/hers/$from.names" ] || ! is_before "$from" "$lesson" || ! uses "$name"; then
+            continue
+        elif grep -q " $name " "$build/hers/$from.names"; then
             mine="$mine $word"
         else
             ours="$ours $word"
@@ -143,9 +132,9 @@ is_before() {
     [ "$(number_of "$1")" -lt "$(number_of "$2")" ]
 }
 
-# list_of WORD...: each once, with commas; those of $except are left out.
+# list_of WORDS EXCEPT: each once, with commas.
 list_of() {
-    printf '%s\n' "$@" | awk -v except=" $except " '
+    echo "$1" | tr ' ' '\n' | awk -v except=" $2 " '
         $0 != "" && !index(except, " " $0 " ") && !seen[$0]++ { printf "%s%s", (n++ ? ", " : ""), $0 }'
 }
 
@@ -153,10 +142,8 @@ say() {
     grep -v '^#' $table | sed 's/^via //' >"$build/hers/table"
     for lesson; do
         find_all_words
-        # shellcheck disable=SC2086 # words
-        except= yours=$(list_of $mine)
-        # shellcheck disable=SC2086
-        others=$(except=$mine list_of $ours)
+        yours=$(list_of "$mine")
+        others=$(list_of "$ours" "$mine")
         [ -z "$yours$others" ] || echo "$lesson: drawn with ${yours:+your $yours}${yours:+${others:+; }}${others:+ours: $others}"
     done
 }
@@ -168,12 +155,14 @@ drawn_with() {
     cksum "$build/hers/$scene.tga" 2>/dev/null
 }
 
-# Is the scene wrong because of a word, and right where that is ours?
+# Is the scene wrong because of a word, and right where that is ours? Each word is named once.
 blame() {
     right=$(drawn_with all)
     [ "$right" != "$(drawn_with none)" ] || return
-    for word in $(echo "$mine" | tr ' ' '\n' | sort -u); do
+    for word in $blamed $(echo "$mine" | tr ' ' '\n' | sort -u); do
         if [ "$(drawn_with "$word")" = "$right" ]; then
+            case " $blamed " in *" $word "*) return ;; esac
+            blamed="$blamed $word"
             from=$(awk -v word="$word" '$5 == word { print $1; exit }' "$build/hers/table")
             number=$(number_of "$from")
             echo "  your $word of lesson $number draws \`$scene\` otherwise${where:+ at $where}; it passes lesson $number's own check"
@@ -194,10 +183,4 @@ whose() {
         done
 }
 
-case $do in
-link) link ;;
-hers) shift 3; hers "$@" ;;
-names) shift 3; names "$@" ;;
-say) shift 2; say "$@" ;;
-whose) shift 2; whose "$@" ;;
-esac
+"$do" "$@"

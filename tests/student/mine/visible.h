@@ -1,10 +1,11 @@
 /*
- * For `make MINE=1`: lesson 10 draws through the pipeline that a student wrote in part d of lesson 9.
+ * For `make MINE=1`: lesson 10 draws through the pipeline that a student wrote in part d of
+ * lesson 9.
  *
- * Its draw calls are recorded. At the end of a frame all that share a viewport are drawn together, on a
- * picture of that size: one more varying says of which call a pixel is. A fragment function gets the
- * same varyings in all lanes. Where the frame has a face behind the eye, discards pixels or keeps its
- * depths, our pipeline draws it: part d has no clipping.
+ * Draw calls are recorded. At the end of a frame all that share a viewport are drawn together, on
+ * a picture of that size: one more varying says to which call a pixel belongs. A fragment function
+ * gets the same varyings in all lanes. A frame that has a face behind the eye, discards pixels or
+ * keeps its depths is drawn by our pipeline: part d has no clipping.
  */
 struct recorded {
     struct pipeline *pipeline;
