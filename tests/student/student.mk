@@ -82,8 +82,8 @@ $(OWN:%=$(BUILD)/own/%): $(BUILD)/own/%: %/main.c $(BUILD)/libcommon.a $(BUILD)/
 
 # ---- MINE=1 ----
 
-.PHONY: shared
-shared: $(SHARED)
+# What mine.mk wants first.
+$(BUILD)/shared: $(SHARED)
 	@:
 ifneq ($(HOUSE),)
 include tests/student/mine/hers.mk

@@ -9,7 +9,7 @@ GOALS := $(or $(MAKECMDGOALS),all)
 .PHONY: $(GOALS)
 $(firstword $(GOALS)):
 	@MAKEFLAGS=$$(echo "$$MAKEFLAGS" | sed 's/ -j[0-9]*//; s/ --jobserver-[a-z]*=[^ ]*//'); export MAKEFLAGS; \
-	$(OURSELVES) shared SHARED='$(addprefix $(BUILD)/,quick/libcommon.a models/bust.obj check \
+	$(OURSELVES) $(BUILD)/shared SHARED='$(addprefix $(BUILD)/,quick/libcommon.a models/bust.obj check \
 	    $(if $(filter-out check live open show watch,$(GOALS)),libcommon.a) $(filter live,$(GOALS)) \
 	    $(patsubst open,compare_page,$(filter open,$(GOALS))) \
 	    $(if $(filter show watch,$(GOALS))$(MAKE_TERMOUT),show))' && \
