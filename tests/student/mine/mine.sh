@@ -66,7 +66,7 @@ write_source() {
     echo '#include <stdlib.h>'
     echo '#include <string.h>'
     case $lesson in step01_*) echo '#define HER_LINE line' ;; *) echo '#define HER_LINE line_inside' ;; esac
-    awk '$5 != "" && !seen[$5]++ { print "#include \"tests/student/mine/" $5 ".h\"" }
+    awk '$5 != "" && !seen[$5]++ { print "#include \"tests/student/mine/" $5 ".inc\"" }
         { print "__typeof__(" $2 ") *'"$lesson"'_" $2 " = " $1 ";" }
         { choice = choice "    if (ours != NULL && (strcmp(ours, \"" $4 "\") == 0 || strcmp(ours, \"all\") == 0)) {\n" }
         { choice = choice "        '"$lesson"'_" $2 " = " $2 ";\n    }\n" }

@@ -109,9 +109,6 @@ put tests/more_scenes.h
 ! grep -qs lane_numbers.h "$new"/tests/lessons/*/numbers.c || put tests/lane_numbers.h
 [ ! -f "$new/common/pipeline.h" ] || put tests/student/new.c # which draws with it
 put tests/student/renderer/given.c
-for file in tests/student/mine/*.h; do
-    put "$file"
-done
 for file in LICENSE Makefile .gitattributes .gitignore; do
     put $file
 done
