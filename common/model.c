@@ -22,8 +22,9 @@ void model_free(struct model *model) {
     }
     free(model->materials);
     free(model->face_materials);
+    free(model->face_groups);
     for (size_t i = 0; i < model->library_count; i++) {
-        free(model->libraries[i]);
+        free(model->libraries[i].name);
     }
     free(model->libraries);
     free(model->path);

@@ -61,13 +61,20 @@ struct model_material {
     bool known;                /* the file says something of it; otherwise it is white */
 };
 
+/* A file of materials, as the model's file names it, and in which of its lines. */
+struct model_library {
+    char *name;
+    size_t line;
+};
+
 /* What was wrong with a file that was read all the same; model_warning_text() says it. */
 enum model_warning {
     MODEL_SHORT_FACES,
     MODEL_UVS_MISSING,
     MODEL_NORMALS_MISSING,
     MODEL_NORMALS_WRONG,
-    MODEL_MATERIALS_MISSING,
+    MODEL_LIBRARY_MISSING,  /* a file of materials */
+    MODEL_MATERIAL_MISSING, /* one that faces name */
     MODEL_GLASSY,
     MODEL_WARNINGS
 };
@@ -80,15 +87,21 @@ struct model {
     float (*normals)[3];     /* as in the file, of any length; of length 1 where computed */
     float (*colors)[3];      /* red green blue 0..1, one a position; NULL where the file has none */
     float (*face_colors)[3]; /* the same, one a face; model_color() knows which counts */
+    bool colors_computed;    /* by model_need_colors(): the file has none */
     struct face *faces;
     struct model_material *materials; /* those that faces name */
     size_t material_count;
+    uint32_t *face_groups; /* one a face: of those that share normals; 0: shares none; MODEL_NONE or
+                            * NULL: the file does not say */
+    bool hard_given;       /* instead of groups: edges sharper than this are hard: normals.h */
+    double hard_degrees;
     uint32_t *face_materials; /* one a face, or MODEL_NONE; NULL where the file names none */
-    char **libraries;         /* the files of materials, as the model's file names them */
-    size_t library_count, library_line;  /* the line of the first */
+    struct model_library *libraries;
+    size_t library_count;
     uint32_t (*lines)[2];                /* the positions that they join; only where asked for */
     size_t warning_line[MODEL_WARNINGS]; /* where each is first, from 1; 0: nowhere */
-    char *path;                          /* the file, for messages and for its textures */
+    const char *warning_name[MODEL_WARNINGS]; /* of what is missing; NULL: of nothing */
+    char *path;                               /* the file, for messages and for its textures */
     int turns[3]; /* quarter turns around x, y, z since it was read: see fit.h */
     const char *texture_files[MODEL_TEXTURE_KINDS]; /* to read instead; NULL: those next to it */
     struct texture textures[MODEL_TEXTURE_KINDS];   /* empty until first asked for */
@@ -131,6 +144,11 @@ static inline struct vec3 model_color(const struct model *model, size_t face, si
         color = model->colors[model->faces[face].corner[corner].position];
     }
     return color != NULL ? (struct vec3){color[0], color[1], color[2]} : (struct vec3){1, 1, 1};
+}
+
+/* Does the file say which colours its faces or positions have? */
+static inline bool model_has_colors(const struct model *model) {
+    return (model->colors != NULL || model->face_colors != NULL) && !model->colors_computed;
 }
 
 #include "given/faces.h"

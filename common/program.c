@@ -202,7 +202,9 @@ static void warn_of_file(const struct run *run, struct model *model) {
     for (int i = 0; i < MODEL_WARNINGS; i++) {
         struct error warning;
         if (model->warning_line[i] > 0) {
-            error_set(&warning, "%s", model_warning_text((enum model_warning)i));
+            const char *name = model->warning_name[i], *quote = name != NULL ? "'" : "";
+            error_set(&warning, "%s%s%s%s%s", quote, name != NULL ? name : "", quote,
+                      name != NULL ? " " : "", model_warning_text((enum model_warning)i));
             warning.line = model->warning_line[i];
             error_name_input(&warning, model->path);
             say(run, &warning);
@@ -300,16 +302,22 @@ static const char *advise(const struct run *run, const struct stage *stage) {
     bool placed =
         program->takes_camera && !(same_point(stage->scene.eye, program->defaults.eye) &&
                                    same_point(stage->scene.center, program->defaults.center));
+    const int *turns = options->turns;
+    const bool turned = turns[0] != 0 || turns[1] != 0 || turns[2] != 0;
     if (!options->fit && (box_reaches_out(box) || box_is_tiny(box))) {
-        return placed ? "; what may help: --fit --center" : "; what may help: --fit";
+        return placed && !options->center.given ? "; what may help: --fit --center"
+                                                : "; what may help: --fit";
     }
     if ((stage->scene.needs & NEEDS_LINES) == 0 && !is_a_face_seen(stage)) {
-        return ": all faces look away or lie edge-on; what may help: --two-sided --turn";
+        return options->two_sided ? turned ? ": all faces lie edge-on"
+                                           : ": all faces lie edge-on; what may help: --turn"
+               : turned ? ": all faces look away or lie edge-on; what may help: --two-sided"
+                        : ": all faces look away or lie edge-on; what may help: --two-sided --turn";
     }
     if (placed) {
-        return "; what may help: --center";
+        return options->center.given ? "" : "; what may help: --center";
     }
-    return program->takes_light ? "; what may help: --light" : "";
+    return program->takes_light && !options->light.given ? "; what may help: --light" : "";
 }
 
 /* Say that a scene shows nothing of its model, where an option chose what is in view. Without one
@@ -450,24 +458,6 @@ static bool draw_text(struct run *run, struct error *error) {
     return done;
 }
 
-/* Say which scenes are not drawn of the command line's model. */
-static void warn_of_details(const struct run *run) {
-    const struct program *program = run->options.program;
-    char names[256] = "";
-    const struct options *options = &run->options;
-    bool chosen = options->input_count > 0 && options->only == NULL && !options->all;
-    for (size_t i = 0; chosen && i < program->scene_count; i++) {
-        const struct scene *scene = &program->scenes[i];
-        if (scene->detail && !scene->extra) {
-            string_append(names, sizeof names, "%s %s", names[0] == '\0' ? ":" : ",", scene->name);
-        }
-    }
-    if (names[0] != '\0') {
-        fprintf(stderr, "%s: left out, as details of the course's own model (--only all)%s\n",
-                program->name, names);
-    }
-}
-
 /* A scene that cannot be drawn does not keep the next from being drawn, but a model of the command
  * line that cannot be read does. Each message is said once, the last one by main(). */
 static bool draw_scenes(struct run *run, struct error *error) {
@@ -492,9 +482,6 @@ static bool draw_scenes(struct run *run, struct error *error) {
         done = false;
         readable =
             options->input_count == 0 || run->model_file != NULL || !scene_needs_model(scene);
-    }
-    if (run->model_file != NULL) {
-        warn_of_details(run);
     }
     if (run->options.stats && run->model_file != NULL) {
         print_loaded(run);

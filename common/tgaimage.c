@@ -16,6 +16,8 @@
 
 /* ---- Images ---- */
 
+enum { PIXELS_OF_ANY = 8192 * 8192, PIXELS_OF_A_BYTE = 16 }; /* see image_check_size() */
+
 /* What the pipeline draws on has 16 pixels of a row in one line of the cache: so large images are
  * drawn up to a twenty-fifth faster. */
 static void *allocate_lines(size_t height, size_t row) {
@@ -62,6 +64,15 @@ bool image_create(struct image *image, size_t width, size_t height, enum image_f
     }
     memset(image->pixels, 0, image_size(image));
     return true;
+}
+
+bool image_check_size(size_t width, size_t height, size_t bytes, struct error *error) {
+    const uint64_t pixels = (uint64_t)width * height;
+    return pixels <= PIXELS_OF_ANY || pixels / PIXELS_OF_A_BYTE <= bytes ||
+           error_set(error,
+                     "a picture of %zux%zu pixels in %zu bytes: more than 8192x8192 need a byte "
+                     "for every %d",
+                     width, height, bytes, PIXELS_OF_A_BYTE);
 }
 
 void image_free(struct image *image) {
@@ -226,9 +237,9 @@ static bool is_color_depth(unsigned bits) {
 
 /* Does the type of the file allow so many bits a pixel? */
 static bool check_tga_depth(const struct tga *tga, struct error *error) {
-    bool color = tga->type == TGA_TRUE_COLOR;
-    bool grey_alpha = tga->type == TGA_GREY && tga->depth == 16;
-    if (color ? !is_color_depth(tga->depth) : tga->depth != 8 && !grey_alpha) {
+    bool color =
+        tga->type == TGA_TRUE_COLOR; /* others: a byte or two, grey with alpha or indices */
+    if (color ? !is_color_depth(tga->depth) : tga->depth != 8 && tga->depth != 16) {
         return error_set(error, "a TGA of %s pixels of %u bits is not supported",
                          color                   ? "true-colour"
                          : tga->type == TGA_GREY ? "grey"
@@ -289,7 +300,7 @@ static bool check_tga_size(const struct tga *tga, struct error *error) {
             error, "a TGA cut off: %ux%u pixels take at least %llu bytes, but %llu are left",
             tga->width, tga->height, (unsigned long long)least, (unsigned long long)left);
     }
-    return true;
+    return image_check_size(tga->width, tga->height, (size_t)left, error);
 }
 
 static enum image_format tga_format(const struct tga *tga) {
@@ -351,7 +362,8 @@ static void convert_pixels(const struct tga *tga, const uint8_t *stored, size_t 
         return;
     }
     for (size_t i = 0; i < count; i++, pixels += tga->format) {
-        unsigned index = stored[i] - tga->map_first; /* below the map it is large */
+        unsigned index = tga->stored == 2 ? get_u16(stored + 2 * i) : stored[i];
+        index -= tga->map_first; /* below the map it is large */
         if (index < tga->map_length) {
             convert_colors(tga, tga->map + index * depth_bytes(tga->map_depth), 1, pixels);
         } else {

@@ -51,6 +51,11 @@ bool image_create(struct image *image, size_t width, size_t height, enum image_f
 bool image_create_unset(struct image *image, size_t width, size_t height, enum image_format format,
                         struct error *error);
 
+/* May a file with so many bytes of pixels hold an image of this size? Up to 8192 x 8192 pixels it
+ * may; more than that need a byte for every 16, so that no small file takes all memory. False with
+ * a message. */
+bool image_check_size(size_t width, size_t height, size_t bytes, struct error *error);
+
 /* Free the pixels and leave an empty image. Freeing an empty image is legal. */
 void image_free(struct image *image);
 
@@ -74,11 +79,11 @@ void image_clear(struct image *image, struct color color);
  * names an image type and a colour map type that exist. */
 bool tga_is_possible(const void *data, size_t size);
 
-/* TGA types 1, 2, 3, 9, 10, 11; 8-bit grey and colour map, 16-bit grey with alpha (becomes BGRA),
- * 15/16-bit 5551, 24 and 32 bit; all four origins (the result is always bottom-left). A 16-bit
- * colour's attribute bit becomes alpha 0 or 255 when the header declares one attribute bit. The
- * fourth byte of a 32-bit pixel is always alpha, whatever the header declares, since many writers
- * leave that number at 0. `image` is overwritten, not freed; empty on an error. */
+/* TGA types 1, 2, 3, 9, 10, 11; 8-bit grey, colour map of 8 or 16 bits, 16-bit grey with alpha
+ * (BGRA), 15/16-bit 5551, 24 and 32 bit; all four origins (the result is always bottom-left). A
+ * 16-bit colour's attribute bit becomes alpha 0 or 255 when the header declares one attribute bit.
+ * The fourth byte of a 32-bit pixel is always alpha, whatever the header declares, since many
+ * writers leave that number at 0. `image` is overwritten, not freed; empty on an error. */
 bool tga_decode(struct image *image, const void *data, size_t size, struct error *error);
 
 /* TGA 2.0 with footer: type 11 or 10, run-length coded; no packet crosses a row. Where packets

@@ -31,8 +31,13 @@ static bool draw_gouraud(struct drawing *drawing, struct image *image, struct er
             for (size_t i = 0; i < 3; i++) {
                 const struct vec3 normal = vec3_normalized(model_normal(model, face, i));
                 v[i].intensity = corner_intensity(normal, light);
+                v[i].color = vec3_scale(model_color(model, face, i), v[i].intensity);
             }
-            triangle(&canvas, &edges, v);
+            if (model_has_colors(model)) { /* which the head has not */
+                color_triangle(&canvas, &edges, v);
+            } else {
+                triangle(&canvas, &edges, v);
+            }
         }
     }
     return true;

@@ -5,10 +5,18 @@
 #include "base/file.h"
 
 #include "base/platform.h"
+#include "base/text.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+
+#if defined(_WIN32) || defined(__wasi__) /* capitals count for nothing; or there is no directory */
+#define LISTS_DIRECTORIES 0
+#else
+#define LISTS_DIRECTORIES 1
+#include <dirent.h>
+#endif
 
 #ifdef _WIN32
 #define O_CLOEXEC               (_O_NOINHERIT | _O_BINARY)
@@ -254,6 +262,33 @@ bool file_write_encoded(const char *path, bool encoded, struct bytes *bytes, str
 bool file_exists(const char *path) {
     struct stat status;
     return stat(path, &status) == 0;
+}
+
+size_t directory_find(const char *directory, char *const *names, size_t count) {
+    size_t found = count;
+#if LISTS_DIRECTORIES
+    bool several = false;
+    DIR *list = opendir(directory[0] == '\0' ? "." : directory);
+    for (const struct dirent *entry; list != NULL && (entry = readdir(list)) != NULL;) {
+        const struct word name = {entry->d_name, strlen(entry->d_name)};
+        size_t i = 0;
+        while (i < count && i <= found && !word_matches(name, names[i])) {
+            i++;
+        }
+        if (i < count && i <= found) {
+            several = i == found;
+            found = i;
+            memcpy(names[i], name.start, name.length);
+        }
+    }
+    if (list != NULL) {
+        closedir(list);
+    }
+    found = several ? count : found;
+#else
+    (void)directory, (void)names;
+#endif
+    return found;
 }
 
 uint64_t file_size(const char *path) {

@@ -70,6 +70,10 @@ bool word_begins(struct word word, const char *beginning) {
     return beginning[i] == '\0';
 }
 
+bool word_matches(struct word word, const char *string) {
+    return word.length == strlen(string) && word_begins(word, string);
+}
+
 static bool is_line_end(char c) {
     return c == '\n' || c == '\r';
 }
@@ -99,6 +103,9 @@ void text_peek(struct text *text, const void *data, size_t size) {
 bool text_begin(struct text *text, const void *data, size_t size, bool continuation,
                 struct error *error) {
     const char *start = data;
+    while (size > 0 && start[size - 1] == '\0') {
+        size--;
+    }
     text_peek(text, data, size);
     text->continuation = continuation;
     const char *nul = size > 0 ? memchr(start, '\0', size) : NULL;
@@ -119,7 +126,11 @@ static void skip_rest_of_line(struct text *text) {
     while (p < text->end && !is_line_end(*p)) {
         p++;
     }
-    if (text->continuation && p > text->next && p[-1] == '\\') {
+    const char *last = p;
+    while (text->continuation && last > text->next && is_blank(last[-1])) {
+        last--;
+    }
+    if (text->continuation && last > text->next && last[-1] == '\\') {
         while (text_next_word(text).length > 0) {
         }
         return;
@@ -141,13 +152,19 @@ bool text_next_line(struct text *text) {
     return true;
 }
 
-/* Does the backslash at p join this line with the next one? */
-static bool joins_lines(const struct text *text, const char *p) {
-    return text->continuation && *p == '\\' && (p + 1 == text->end || is_line_end(p[1]));
+/* Where the backslash at p joins this line with the next one: the end of the line; otherwise
+ * NULL. */
+static const char *joined_at(const struct text *text, const char *p) {
+    if (!text->continuation || *p != '\\') {
+        return NULL;
+    }
+    for (p++; p < text->end && is_blank(*p); p++) {
+    }
+    return p == text->end || is_line_end(*p) ? p : NULL;
 }
 
 bool text_is_rare_word_end(const struct text *text, const char *p) {
-    return is_blank(*p) || is_line_end(*p) || joins_lines(text, p);
+    return is_blank(*p) || is_line_end(*p) || joined_at(text, p) != NULL;
 }
 
 bool text_find_rare_word(struct text *text) {
@@ -155,8 +172,8 @@ bool text_find_rare_word(struct text *text) {
     while (p < text->end) {
         if (is_blank(*p)) {
             p++;
-        } else if (joins_lines(text, p)) {
-            p = over_line_end(p + 1, text->end);
+        } else if (joined_at(text, p) != NULL) {
+            p = over_line_end(joined_at(text, p), text->end);
             text->line++;
         } else {
             break;

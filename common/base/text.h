@@ -1,10 +1,10 @@
 /*
  * Text files taken apart: lines, words and exact numbers, whatever the locale.
  *
- * Used by the readers of OBJ, OFF and text scenes. A line ends with LF, CRLF or CR.
- * A backslash directly before the line's end joins it with the next line (where the caller asks for
- * that); it also ends a word, and in a comment it means nothing. Nothing is copied: words point
- * into the text that the caller keeps. The work is linear in the size of the text.
+ * Used by the readers of OBJ, OFF and text scenes. A line ends with LF, CRLF or CR. A backslash
+ * before the line's end, or before blanks that end it, joins it with the next line (where the
+ * caller asks for that); it also ends a word, and in a comment it means nothing. Nothing is copied:
+ * words point into the text that the caller keeps. The work is linear in the size of the text.
  */
 #ifndef COMMON_BASE_TEXT_H
 #define COMMON_BASE_TEXT_H
@@ -39,8 +39,8 @@ bool text_is_utf16(const void *data, size_t size);
  * itself, and an odd byte at the end is left out. False when memory runs out. */
 bool text_from_utf16(struct bytes *utf8, const void *data, size_t size);
 
-/* Start before the first line. A UTF-8 byte-order mark is skipped. A NUL byte anywhere means that
- * this is not a text file: an error (with its line). */
+/* Start before the first line. A UTF-8 byte-order mark is skipped. NUL bytes at the end are left
+ * out; one anywhere else means that this is not a text file: an error (with its line). */
 bool text_begin(struct text *text, const void *data, size_t size, bool continuation,
                 struct error *error);
 
@@ -63,6 +63,9 @@ struct word text_next_number(struct text *text, double *number);
 
 /* Does the word begin like this, in small or in capital letters? */
 bool word_begins(struct word word, const char *beginning);
+
+/* Is it this string, in small or in capital letters? */
+bool word_matches(struct word word, const char *string);
 
 /* Is the word exactly this string? */
 static inline bool word_is(struct word word, const char *string) {

@@ -404,7 +404,7 @@ enum {
 };
 
 static const char data_cut_off[] = "compressed data cut off";
-static const char too_large[] = "compressed data larger than the picture";
+static const char too_large[] = ""; /* said of nothing: all that is wanted is there */
 
 /* Bits of a stream. Zeros follow behind its end; a reader finds out later that it took some. Above
  * the `count` bits there may be some of the byte that comes next. */
@@ -527,18 +527,16 @@ static bool copy_stored(struct decompressor *d) {
     if ((from[0] ^ from[2]) != 255 || (from[1] ^ from[3]) != 255) {
         return fail_with(d, "compressed data with a wrong stored length");
     }
-    if (size > d->out_limit - d->out_size) {
-        return fail_with(d, too_large);
-    }
-    if (size > (size_t)left - 4) {
+    size_t room = d->out_limit - d->out_size, count = size < room ? size : room;
+    if (count > (size_t)left - 4) {
         return fail_with(d, data_cut_off);
     }
-    if (size > 0) {
-        memcpy(d->out + d->out_size, from + 4, size);
+    if (count > 0) {
+        memcpy(d->out + d->out_size, from + 4, count);
     }
-    d->out_size += size;
-    *in = (struct bit_reader){.next = from + 4 + size, .end = in->end};
-    return true;
+    d->out_size += count;
+    *in = (struct bit_reader){.next = from + 4 + count, .end = in->end};
+    return count == size || fail_with(d, too_large);
 }
 
 /* Read `count` code lengths, coded with runs: RFC 1951, section 3.2.7. */
@@ -697,11 +695,14 @@ static bool read_symbols(struct decompressor *d) {
             problem = "compressed data that copies from before its start";
             break;
         }
-        if (length > (size_t)(limit - out)) {
+        const size_t room = (size_t)(limit - out);
+        if (length > room) {
+            copy_match(out, distance, room, room);
+            out = limit;
             problem = too_large;
             break;
         }
-        copy_match(out, distance, length, (size_t)(limit - out));
+        copy_match(out, distance, length, room);
         out += length;
     }
     d->in = in;
@@ -762,7 +763,7 @@ bool zlib_decompress(const void *data, size_t size, void *out, size_t out_size,
     d->in.end = size > 0 ? bytes + size : bytes; /* without a byte, `data` may be NULL */
     d->out = out;
     d->out_limit = out_size;
-    bool done = read_stream(d);
+    bool done = read_stream(d) || d->problem == too_large;
     if (!done) {
         error_set(error, "%s", d->problem);
     }

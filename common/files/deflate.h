@@ -20,9 +20,9 @@ enum { DEFLATE_RATIO_LIMIT = 1032 };
  * 30 bytes and 160 for every 16384. On an error (memory) `out` keeps what it held before. */
 bool zlib_compress(const void *data, size_t size, struct bytes *out, struct error *error);
 
-/* Decompress a zlib stream that must give exactly `out_size` bytes. Every code, distance, length
- * and the checksum are checked; bytes after the stream are ignored. On an error `out` is
- * half-filled. */
+/* Decompress a zlib stream that must give `out_size` bytes. Every code, distance and length up to
+ * there is checked and, where the stream ends with them, its checksum; all that follows is ignored.
+ * On an error `out` is half-filled. */
 bool zlib_decompress(const void *data, size_t size, void *out, size_t out_size,
                      struct error *error);
 

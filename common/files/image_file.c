@@ -2,6 +2,7 @@
 #include "files/image_file.h"
 
 #include "base/file.h"
+#include "base/text.h"
 #include "files/known.h"
 #include "files/png.h"
 #include "files/ppm.h"
@@ -10,18 +11,27 @@
 
 /* ---- Reading ---- */
 
-bool image_decode(struct image *image, const void *data, size_t size, struct error *error) {
+/* The path, which is not read, is for advice. */
+static bool decode_image(struct image *image, const char *path, const void *data, size_t size,
+                         struct error *error) {
     if (png_has_signature(data, size)) {
         return png_decode(image, data, size, error);
+    }
+    if (ppm_is_possible(data, size)) {
+        return ppm_decode(image, data, size, error);
     }
     if (tga_is_possible(data, size)) {
         return tga_decode(image, data, size, error);
     }
     *image = (struct image){0};
-    if (known_recognize(data, size, false, error)) {
+    if (known_recognize(data, size, path, false, error)) {
         return false;
     }
-    return error_set(error, "neither a PNG nor a TGA of a type that is supported");
+    return error_set(error, "neither a PNG or PPM nor a TGA of a type that is supported");
+}
+
+bool image_decode(struct image *image, const void *data, size_t size, struct error *error) {
+    return decode_image(image, "FILE", data, size, error);
 }
 
 bool image_read(struct image *image, const char *path, struct error *error) {
@@ -30,9 +40,20 @@ bool image_read(struct image *image, const char *path, struct error *error) {
     if (!file_read(path, &file, error)) {
         return false;
     }
-    bool done = image_decode(image, file.data, file.size, error) || error_name_file(error, path);
+    bool done =
+        decode_image(image, path, file.data, file.size, error) || error_name_file(error, path);
     bytes_free(&file);
     return done;
+}
+
+bool image_file_is_readable(const char *ending) {
+    static const char *const readable[] = {"png", "tga", "ppm", "pgm", "pnm"};
+    size_t i = 0;
+    while (i < sizeof readable / sizeof readable[0] &&
+           !word_matches((struct word){ending, strlen(ending)}, readable[i])) {
+        i++;
+    }
+    return i < sizeof readable / sizeof readable[0];
 }
 
 /* ---- Writing ---- */

@@ -14,13 +14,16 @@
 
 /* ---- Reading ---- */
 
-/* Read a PNG or a TGA: a PNG begins with its signature, a TGA has none; the file's name does not
- * count. png.h and tgaimage.h say what is read of each. `image` is overwritten, not freed;
- * empty on an error. */
+/* Read a PNG, a PPM or a TGA: the first two begin with a signature, a TGA has none; the file's name
+ * does not count. png.h, ppm.h and tgaimage.h say what is read of each. `image` is overwritten, not
+ * freed; empty on an error. */
 bool image_read(struct image *image, const char *path, struct error *error);
 
-/* Read a PNG or a TGA from memory, as image_read() does from a file; the message names no file. */
+/* Read one of them from memory, as image_read() does from a file; the message names no file. */
 bool image_decode(struct image *image, const void *data, size_t size, struct error *error);
+
+/* Does a file whose name ends so hold a picture that is read? In small or capital letters. */
+bool image_file_is_readable(const char *ending);
 
 /* ---- Writing ---- */
 

@@ -2,16 +2,17 @@
 #include "files/known.h"
 
 #include "base/text.h"
+#include "files/image_file.h"
 
 #include <stdint.h>
 #include <string.h>
 
-enum kind { MODEL, PICTURE, PAGE, POINTER, GZIP, ZIP };
+enum kind { MODEL, PICTURE, PAGE, POINTER, GZIP, ZIP, DAMAGED };
 
 static const char *const advices[] = {
     [MODEL] = "Blender, for one, exports it as OBJ",
-    [PICTURE] = "`magick FILE NEW.png` converts it",
     [PAGE] = "download the file itself",
+    [DAMAGED] = "fetch it again, as bytes and not as text",
     [POINTER] = "`git lfs pull` fetches the file itself",
     [GZIP] = "`gzip -d FILE.gz` unpacks it",
     [ZIP] = "`unzip FILE` unpacks it",
@@ -33,6 +34,10 @@ static const struct known_file {
     {"ply\n", 0, "a PLY file", MODEL},
     {"ply\r", 0, "a PLY file", MODEL},
     {"solid", 0, "an STL file", MODEL},
+    {"I\n800\nOBJ", 0, "an OBJ file of X-Plane, which is another format", MODEL},
+    {"A\n800\nOBJ", 0, "an OBJ file of X-Plane, which is another format", MODEL},
+    {"I\r\n800\r\nOBJ", 0, "an OBJ file of X-Plane, which is another format", MODEL},
+    {"A\r\n800\r\nOBJ", 0, "an OBJ file of X-Plane, which is another format", MODEL},
     {"glTF", 0, "a glTF file", MODEL},
     {"{", 0, "JSON, perhaps a glTF file", MODEL},
     {"Kaydara FBX", 0, "an FBX file", MODEL},
@@ -43,7 +48,14 @@ static const struct known_file {
     {"<COLLADA", 0, "a COLLADA file", MODEL},
     {"<", 0, "a page of HTML or XML", PAGE},
     {"\x89PNG\r\n\x1A\n", 0, "a PNG file", PICTURE},
+    {"\x89PNG", 0, "a PNG file damaged by a transfer as text", DAMAGED},
+    {"\xEF\xBF\xBDPNG", 0, "a PNG file damaged by a transfer as text", DAMAGED},
+    {"PNG\r\n", 0, "a PNG file damaged by a transfer as text", DAMAGED},
     {"\xFF\xD8\xFF", 0, "a JPEG file", PICTURE},
+    {"P1", 0, "a bitmap of Netpbm", PICTURE},
+    {"P4", 0, "a bitmap of Netpbm", PICTURE},
+    {"P7", 0, "a PAM file", PICTURE},
+    {"PF", 0, "a PFM file", PICTURE},
     {"WEBP", 8, "a WebP file", PICTURE},
     {"GIF8", 0, "a GIF file", PICTURE},
     {"BM", 0, "a BMP file", PICTURE},
@@ -59,15 +71,34 @@ static bool is_binary_stl(const uint8_t *data, size_t size) {
     return size >= 84 && 84 + 50 * (uint64_t)load_u32(data + 80) == size;
 }
 
-/* Without advice for a model where a picture was wanted, or the other way round. */
-static void write_message(struct error *error, const char *what, enum kind kind,
-                          bool model_wanted) {
-    const char *wanted = model_wanted ? "an OBJ or OFF file" : "a PNG or TGA file";
-    bool helps = kind != (model_wanted ? PICTURE : MODEL);
-    error_set(error, "%s, not %s%s%s", what, wanted, helps ? ": " : "", helps ? advices[kind] : "");
+/* What converts a picture and, unless its name tells of another kind, all of its kind next to it:
+ * find_named() takes them then. */
+static void advise_to_convert(struct error *error, const char *what, const char *path) {
+    const char *slash = strrchr(path, '/'), *name = slash == NULL ? path : slash + 1;
+    const char *dot = strrchr(name, '.'), *quote = strchr(path, ' ') == NULL ? "" : "'";
+    const bool all = dot != NULL && !image_file_is_readable(dot + 1);
+    error_set(error,
+              "%s, not a PNG, TGA or PPM file: `mogrify -format png %s%.*s%s%s%s` makes PNG files, "
+              "which are drawn then",
+              what, quote, (int)((all ? name : name + strlen(name)) - path), path, quote,
+              all ? "*" : "", all ? dot : "");
 }
 
-bool known_recognize(const void *data, size_t size, bool model_wanted, struct error *error) {
+/* Without advice for a model where a picture was wanted, or the other way round. */
+static void write_message(struct error *error, const char *what, enum kind kind, const char *path,
+                          bool model_wanted) {
+    const char *wanted = model_wanted ? "an OBJ or OFF file" : "a PNG, TGA or PPM file";
+    bool helps = kind != (model_wanted ? PICTURE : MODEL);
+    if (kind == PICTURE && !model_wanted) {
+        advise_to_convert(error, what, path);
+    } else {
+        error_set(error, "%s, not %s%s%s", what, wanted, helps ? ": " : "",
+                  helps ? advices[kind] : "");
+    }
+}
+
+bool known_recognize(const void *data, size_t size, const char *path, bool model_wanted,
+                     struct error *error) {
     const uint8_t *start = data;
     const size_t bom = size >= 3 && memcmp(start, "\xEF\xBB\xBF", 3) == 0 ? 3 : 0;
     size_t blanks = bom;
@@ -79,12 +110,12 @@ bool known_recognize(const void *data, size_t size, bool model_wanted, struct er
         size_t at = blanks + known->at;
         if (at < size &&
             word_begins((struct word){(const char *)data + at, size - at}, known->begins)) {
-            write_message(error, known->what, known->kind, model_wanted);
+            write_message(error, known->what, known->kind, path, model_wanted);
             return true;
         }
     }
     if (is_binary_stl(data, size)) {
-        write_message(error, "a binary STL file", MODEL, model_wanted);
+        write_message(error, "a binary STL file", MODEL, path, model_wanted);
         return true;
     }
     return false;

@@ -7,8 +7,10 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* Does the file begin like a file of a known kind? If so, the message names that kind and says what
- * helps, where a model or else a picture was wanted; otherwise the message stays as it is. */
-bool known_recognize(const void *data, size_t size, bool model_wanted, struct error *error);
+/* Does the file at `path` begin like a file of a known kind? If so, the message names that kind and
+ * says what helps, where a model or else a picture was wanted; otherwise the message stays as it
+ * is. */
+bool known_recognize(const void *data, size_t size, const char *path, bool model_wanted,
+                     struct error *error);
 
 #endif

@@ -2,6 +2,7 @@
 #include "files/model_file.h"
 
 #include "base/text.h"
+#include "files/find.h"
 #include "files/fit.h"
 #include "files/image_file.h"
 #include "files/known.h"
@@ -18,7 +19,7 @@
 
 static bool is_named_off(const char *path) {
     const char *dot = strrchr(path, '.');
-    return dot != NULL && (strcmp(dot, ".off") == 0 || strcmp(dot, ".OFF") == 0);
+    return dot != NULL && word_matches((struct word){dot, strlen(dot)}, ".off");
 }
 
 /* Say what a file without faces has instead. */
@@ -27,6 +28,7 @@ static bool error_no_faces(const char *path, const void *data, size_t size, unsi
     struct text text;
     struct error ignored;
     double number;
+    size_t points = 0; /* the first line of points */
     bool begun = text_begin(&text, data, size, true, &ignored), first = true;
     while (begun && text_next_line(&text)) {
         struct word word = text_next_word(&text);
@@ -36,10 +38,17 @@ static bool error_no_faces(const char *path, const void *data, size_t size, unsi
         if (word_is(word, "l") && (parts & MODEL_LINES) == 0) {
             return text_error(error, text.line, "lines and no faces, which only lesson 2 draws");
         }
+        if (word_is(word, "cstype") || word_is(word, "curv") || word_is(word, "surf")) {
+            return text_error(error, text.line, "curves or surfaces and no faces: export polygons");
+        }
+        points = points == 0 && word_is(word, "p") ? text.line : points;
         first = first && word.length == 0;
     }
     if (is_named_off(path) && !off_recognize(data, size)) {
         return error_set(error, "does not begin with the word OFF");
+    }
+    if (points > 0) {
+        return text_error(error, points, "points and no faces, which no lesson draws");
     }
     return error_set(error, size == 0 ? "is empty" : "holds no faces");
 }
@@ -68,7 +77,7 @@ static bool decode(struct model *model, const char *path, const void *data, size
     }
     if (!done) {
         model_free(model);
-        (void)(!is_off && known_recognize(data, size, true, error));
+        (void)(!is_off && known_recognize(data, size, path, true, error));
     }
     return done;
 }
@@ -76,12 +85,14 @@ static bool decode(struct model *model, const char *path, const void *data, size
 const char *model_warning_text(enum model_warning warning) {
     static const char *const texts[] = {
         [MODEL_SHORT_FACES] = "a face of fewer than 3 corners is not drawn",
-        [MODEL_UVS_MISSING] = "a face names a texture coordinate that the file does not have",
+        [MODEL_UVS_MISSING] =
+            "a face names a texture coordinate that the file does not have; it is (0, 0) instead",
         [MODEL_NORMALS_MISSING] =
             "a face names a normal that the file does not have; it is computed instead",
         [MODEL_NORMALS_WRONG] = "a normal has no direction; it is computed instead",
-        [MODEL_MATERIALS_MISSING] =
-            "the file of materials is not there; faces have neither its colours nor its textures",
+        [MODEL_LIBRARY_MISSING] = "is a file of materials that is not there: none of it is drawn",
+        [MODEL_MATERIAL_MISSING] =
+            "is a material that no file of them has; its faces are drawn without it",
         [MODEL_GLASSY] = "a material that is transparent in part is drawn opaque",
     };
     return texts[warning];
@@ -98,54 +109,82 @@ static bool keep_path(struct model *model, const char *path, struct error *error
 
 /* ---- Materials ---- */
 
-/* Read a file of materials next to the model. False when memory runs out; sets whether it is
- * there. */
-static bool read_library(struct model *model, struct word name, bool *found, struct error *error) {
-    const char *end = strrchr(model->path, '/');
-    char *directory =
-        string_format("%.*s", end == NULL ? 0 : (int)(end + 1 - model->path), model->path);
-    char *path = directory == NULL ? NULL : mtl_path(name, directory);
+/* Only the first counts. */
+static void warn(struct model *model, enum model_warning warning, size_t line, const char *name) {
+    if (model->warning_line[warning] == 0) {
+        model->warning_line[warning] = line;
+        model->warning_name[warning] = name;
+    }
+}
+
+/* "" or what comes before the name of the file, and ends with '/'. The caller frees it. */
+static char *directory_of(const char *path) {
+    const char *end = strrchr(path, '/');
+    return string_format("%.*s", end == NULL ? 0 : (int)(end + 1 - path), path);
+}
+
+/* Read a file of materials that the model's, in `directory`, names. False when memory runs out;
+ * sets whether it is there. */
+static bool read_library(struct model *model, struct word name, const char *directory, bool *found,
+                         struct error *error) {
+    char *path = find_named(name, directory, false, found), *next_to = NULL;
     struct bytes bytes = {0};
     struct error reason = {.message = ""}; /* of a file that cannot be read: it counts as missing */
-    *found = path != NULL && file_exists(path) && file_read(path, &bytes, &reason);
-    bool done =
-        directory != NULL && (path != NULL || name.length == 0) && !error_is_out_of_memory(&reason);
+    *found = path != NULL && *found && file_read(path, &bytes, &reason);
+    bool done = (path != NULL || name.length == 0) && !error_is_out_of_memory(&reason);
     if (*found) {
-        free(directory);
-        end = strrchr(path, '/');
-        directory = string_format("%.*s", end == NULL ? 0 : (int)(end + 1 - path), path);
-        done = directory != NULL && make_utf8(&bytes) &&
-               mtl_decode(model, bytes.data, bytes.size, directory, error);
+        next_to = directory_of(path);
+        done = next_to != NULL && make_utf8(&bytes) &&
+               mtl_decode(model, bytes.data, bytes.size, next_to, error);
     }
     bytes_free(&bytes);
-    free(directory);
+    free(next_to);
     free(path);
     return done || error_out_of_memory(error);
 }
 
-/* All that the model names: a name may hold blanks, or there are several in a line. */
-static bool read_libraries(struct model *model, struct error *error) {
-    bool all = true;
-    for (size_t i = 0; model->material_count > 0 && i < model->library_count; i++) {
-        struct word line = {model->libraries[i], strlen(model->libraries[i])};
-        bool found;
-        if (!read_library(model, line, &found, error)) {
+/* Those that one statement names: a name may hold blanks, or there are several. */
+static bool read_line_of_libraries(struct model *model, struct model_library line,
+                                   const char *directory, struct error *error) {
+    struct text text;
+    bool found, each;
+    text_peek(&text, line.name, strlen(line.name));
+    if (!read_library(model, (struct word){line.name, strlen(line.name)}, directory, &found,
+                      error)) {
+        return false;
+    }
+    for (bool whole = found; !whole && text_find_word(&text); found = found || each) {
+        if (!read_library(model, text_next_word(&text), directory, &each, error)) {
             return false;
         }
-        struct text text;
-        text_peek(&text, line.start, line.length);
-        bool whole = found; /* all of the line is one name */
-        while (!whole && text_find_word(&text)) {
-            bool each;
-            if (!read_library(model, text_next_word(&text), &each, error)) {
-                return false;
-            }
-            found = found || each;
-        }
-        all = all && found;
     }
-    model->warning_line[MODEL_MATERIALS_MISSING] = all ? 0 : model->library_line;
+    if (!found) {
+        warn(model, MODEL_LIBRARY_MISSING, line.line, line.name);
+    }
     return true;
+}
+
+/* What programs write for faces that have no material. */
+static bool is_name_of_none(const char *name) {
+    return name[0] == '\0' || strcmp(name, "None") == 0 || strcmp(name, "(null)") == 0;
+}
+
+/* Read all that the model names, if faces have materials; say what is missing. */
+static bool read_libraries(struct model *model, struct error *error) {
+    char *directory = directory_of(model->path);
+    bool done = directory != NULL || error_out_of_memory(error);
+    for (size_t i = 0; done && model->material_count > 0 && i < model->library_count; i++) {
+        done = read_line_of_libraries(model, model->libraries[i], directory, error);
+    }
+    free(directory);
+    for (size_t i = 0; i < model->material_count; i++) {
+        const struct model_material *material = &model->materials[i];
+        if (!material->known && !is_name_of_none(material->name) &&
+            model->warning_line[MODEL_LIBRARY_MISSING] == 0) {
+            warn(model, MODEL_MATERIAL_MISSING, material->line, material->name);
+        }
+    }
+    return done;
 }
 
 bool model_read_parts(struct model *model, const char *path, unsigned parts, struct error *error) {
@@ -178,18 +217,18 @@ static const char *const texture_suffixes[MODEL_TEXTURE_KINDS][4] = {
     [MODEL_NORMAL_MAP] = {"_nm", "_normal", "_nm_tangent", "_normal_tangent"},
     [MODEL_SPECULAR] = {"_spec", "_specular"},
 };
-static const char *const texture_extensions[] = {"tga", "png", "TGA", "PNG", "Tga",
-                                                 "Png", "jpg", "JPG", "jpeg"};
+static const char *const texture_extensions[] = {"tga", "png", "ppm", "jpg", "jpeg"};
 
-/* "DIRECTORY/NAME" and what follows it for a model at "DIRECTORY/NAME.obj"; the caller frees it. */
-static char *texture_path(const char *model_path, const char *suffix, const char *extension) {
-    const char *slash = strrchr(model_path, '/');
-    const char *name = slash == NULL ? model_path : slash + 1;
+enum {
+    EXTENSIONS = sizeof texture_extensions / sizeof texture_extensions[0],
+    SUFFIXES = sizeof texture_suffixes[0] / sizeof texture_suffixes[0][0]
+};
+
+/* The name of a model's file without its extension: how many bytes. */
+static int stem_length(const char *name) {
     const char *dot = strrchr(name, '.');
-    size_t length = dot == NULL || dot == name ? strlen(model_path) : (size_t)(dot - model_path);
-    return length > INT_MAX
-               ? NULL
-               : string_format("%.*s%s.%s", (int)length, model_path, suffix, extension);
+    size_t length = dot == NULL || dot == name ? strlen(name) : (size_t)(dot - name);
+    return length > INT_MAX ? 0 : (int)length;
 }
 
 /* Turn the normals that a picture holds, as levels (coordinate + 1) * 127.5. */
@@ -276,23 +315,27 @@ bool model_read_normal_map(struct texture *texture, const char *path, const int 
 }
 
 char *model_find_texture(const struct model *model, enum model_texture_kind kind, bool *found) {
-    const char *const *suffixes = texture_suffixes[kind];
-    const size_t count = sizeof texture_extensions / sizeof texture_extensions[0];
+    char *names[SUFFIXES * EXTENSIONS] = {NULL};
+    size_t count = 0;
     *found = model->texture_files[kind] != NULL;
     if (*found) {
         return string_format("%s", model->texture_files[kind]);
     }
-    for (size_t i = 0; i < 4 && suffixes[i] != NULL; i++) {
-        for (size_t k = 0; k < count; k++) {
-            char *path = texture_path(model->path, suffixes[i], texture_extensions[k]);
-            *found = path != NULL && file_exists(path);
-            if (path == NULL || *found) {
-                return path;
-            }
-            free(path);
-        }
+    char *directory = directory_of(model->path);
+    const char *name = model->path + (directory == NULL ? 0 : strlen(directory)), *suffix;
+    bool done = directory != NULL;
+    while (done && count < SUFFIXES * EXTENSIONS &&
+           (suffix = texture_suffixes[kind][count / EXTENSIONS]) != NULL) {
+        names[count] = string_format("%.*s%s.%s", stem_length(name), name, suffix,
+                                     texture_extensions[count % EXTENSIONS]);
+        done = names[count++] != NULL;
     }
-    return texture_path(model->path, suffixes[0], texture_extensions[0]);
+    char *path = done ? find_first(directory, names, count, found) : NULL;
+    for (size_t i = 0; i < count; i++) {
+        free(names[i]);
+    }
+    free(directory);
+    return path;
 }
 
 size_t model_textures_present(const struct model *model) {

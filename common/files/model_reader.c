@@ -33,39 +33,25 @@ static bool names_no_number(struct word word) {
     return word_begins(rest, "nan") || word_begins(rest, "inf") || word_begins(rest, "1.#");
 }
 
-/* A number that is no float. */
-static bool check_rare_number(struct model_reader *reader, struct word word,
-                              enum reader_range range, double number) {
-    if (range == READER_ANY && (!isnan(number) || names_no_number(word))) {
-        return true;
-    }
-    return isnan(number)
-               ? text_error(reader->error, reader->line, "'%s' is not a number",
-                            word_show(word).text)
-               : text_error(reader->error, reader->line, "%s is too large", word_show(word).text);
+/* A number, though perhaps not finite. */
+static inline bool check_number(struct model_reader *reader, struct word word, double number) {
+    return !isnan(number) || names_no_number(word) ||
+           text_error(reader->error, reader->line, "'%s' is not a number", word_show(word).text);
 }
 
-static inline bool check_number(struct model_reader *reader, struct word word,
-                                enum reader_range range, double number) {
-    return fabs(number) <= FLT_MAX || check_rare_number(reader, word, range, number);
-}
-
-bool reader_parse_number(struct model_reader *reader, struct word word, enum reader_range range,
-                         double *number) {
+bool reader_parse_number(struct model_reader *reader, struct word word, double *number) {
     *number = word_to_double(word, number) ? *number : NAN;
-    return check_number(reader, word, range, *number);
+    return check_number(reader, word, *number);
 }
 
-bool reader_read_numbers(struct model_reader *reader, size_t finite,
-                         struct reader_numbers *numbers) {
+bool reader_read_numbers(struct model_reader *reader, struct reader_numbers *numbers) {
     for (numbers->count = 0;; numbers->count++) {
         double number;
         struct word word = text_next_number(&reader->text, &number);
         if (word.length == 0) {
             return true;
         }
-        enum reader_range range = numbers->count < finite ? READER_FINITE : READER_ANY;
-        if (!check_number(reader, word, range, number)) {
+        if (!check_number(reader, word, number)) {
             return false;
         }
         if (numbers->count < READER_NUMBER_LIMIT) {
@@ -88,8 +74,15 @@ static bool extend(struct model_reader *reader, void *pointer, size_t *capacity,
            error_out_of_memory(reader->error);
 }
 
+static bool is_float(double number) {
+    return fabs(number) <= FLT_MAX;
+}
+
 bool reader_add_position(struct model_reader *reader, const double position[3]) {
     struct model *model = reader->model;
+    for (int i = 0; i < 3; i++) {
+        reader->has_wrong_positions |= !is_float(position[i]);
+    }
     if (!extend(reader, &model->positions, &reader->position_capacity, model->position_count + 1,
                 sizeof *model->positions)) {
         return false;
@@ -97,10 +90,6 @@ bool reader_add_position(struct model_reader *reader, const double position[3]) 
     model->positions[model->position_count++] =
         (struct vec3){position[0], position[1], position[2]};
     return true;
-}
-
-static bool is_float(double number) {
-    return fabs(number) <= FLT_MAX;
 }
 
 /* A normal without a direction is kept as 0 0 0: its number must not be another's. */
@@ -268,6 +257,21 @@ bool reader_use_material(struct model_reader *reader, struct word name) {
     return done;
 }
 
+/* Faces that have no group yet get the current one. */
+static bool fill_groups(struct model_reader *reader) {
+    return !reader->has_groups ||
+           fill(reader, &reader->model->face_groups, &reader->face_groups,
+                reader->model->face_count, &reader->group, sizeof reader->group);
+}
+
+bool reader_use_group(struct model_reader *reader, uint32_t group) {
+    reader->group = reader->has_groups ? reader->group : MODEL_NONE;
+    reader->has_groups = true;
+    bool done = fill_groups(reader);
+    reader->group = group;
+    return done;
+}
+
 bool reader_add_library(struct model_reader *reader, struct word name) {
     struct model *model = reader->model;
     char *copy = copy_word(name);
@@ -276,15 +280,39 @@ bool reader_add_library(struct model_reader *reader, struct word name) {
         free(copy);
         return error_out_of_memory(reader->error);
     }
-    model->library_line = model->library_count == 0 ? reader->line : model->library_line;
-    model->libraries[model->library_count++] = copy;
+    model->libraries[model->library_count++] = (struct model_library){copy, reader->line};
     return true;
+}
+
+static bool is_wrong(struct vec3 p) {
+    return !is_float(p.x) || !is_float(p.y) || !is_float(p.z);
+}
+
+/* Are the polygon's positions numbers, and not too large? */
+static bool check_places(const struct model_reader *reader) {
+    for (size_t i = 0; reader->has_wrong_positions && i < reader->polygon_size; i++) {
+        const uint32_t position = reader->polygon[i].position;
+        if (is_wrong(reader->model->positions[position])) {
+            return text_error(reader->error, reader->line,
+                              "vertex %zu is not a number, or too large", (size_t)position + 1);
+        }
+    }
+    return true;
+}
+
+/* Those that no face and no line names: any number will do. */
+static void mend_positions(struct model_reader *reader) {
+    for (size_t i = 0; reader->has_wrong_positions && i < reader->model->position_count; i++) {
+        struct vec3 *p = &reader->model->positions[i];
+        *p = is_wrong(*p) ? (struct vec3){0, 0, 0} : *p;
+    }
 }
 
 bool reader_finish(struct model_reader *reader) {
     struct model *model = reader->model;
+    mend_positions(reader);
     drop_wrong_normals(reader);
-    return fill_materials(reader) &&
+    return fill_materials(reader) && fill_groups(reader) &&
            finish_colors(reader, &model->colors, &reader->colors, model->position_count,
                          unit_of_colors(reader)) &&
            finish_colors(reader, &model->face_colors, &reader->face_colors, model->face_count, 1);
@@ -327,8 +355,8 @@ bool reader_add_faces(struct model_reader *reader) {
     struct model *model = reader->model;
     const struct corner *polygon = reader->polygon;
     size_t count = reader->polygon_size - 2;
-    if (!extend(reader, &model->faces, &reader->face_capacity, model->face_count + count,
-                sizeof *model->faces)) {
+    if (!check_places(reader) || !extend(reader, &model->faces, &reader->face_capacity,
+                                         model->face_count + count, sizeof *model->faces)) {
         return false;
     }
     if (count == 1) { /* as most of them */
@@ -349,8 +377,8 @@ bool reader_add_faces(struct model_reader *reader) {
 bool reader_add_lines(struct model_reader *reader) {
     struct model *model = reader->model;
     for (size_t i = 1; i < reader->polygon_size; i++) {
-        if (!extend(reader, &model->lines, &reader->line_capacity, model->line_count + 1,
-                    sizeof *model->lines)) {
+        if (!check_places(reader) || !extend(reader, &model->lines, &reader->line_capacity,
+                                             model->line_count + 1, sizeof *model->lines)) {
             return false;
         }
         model->lines[model->line_count][0] = reader->polygon[i - 1].position;

@@ -37,8 +37,9 @@ struct model_reader {
     /* Private to model_reader.c. */
     struct vec3 *places; /* of the polygon's corners */
     struct polygon_cutter cutter;
-    struct reader_list colors, face_colors, face_materials;
-    uint32_t material; /* of the faces to come; MODEL_NONE at first */
+    struct reader_list colors, face_colors, face_materials, face_groups;
+    uint32_t material, group; /* of the faces to come; of the first faces none is known */
+    bool has_groups, has_wrong_positions;
     size_t material_capacity, library_capacity;
     size_t wrong_normal_line; /* the line of the first normal without a direction; 0: none */
     size_t position_capacity, uv_capacity, normal_capacity, face_capacity, line_capacity;
@@ -59,22 +60,25 @@ bool reader_next_line(struct model_reader *reader, struct word *word);
 /* The next word, of this line or of those that follow. False at the end of the text. */
 bool reader_next_word(struct model_reader *reader, struct word *word);
 
-/* Which numbers are taken: READER_ANY are also those too large for a float, and words by which
- * writers say that there is none, as "nan" and "-1.#IND", which become NaN. */
-enum reader_range { READER_FINITE, READER_ANY };
+/* The word as a number. Words by which writers say that there is none, as "nan" and "-1.#IND",
+ * become NaN. */
+bool reader_parse_number(struct model_reader *reader, struct word word, double *number);
 
-/* The word as a number. */
-bool reader_parse_number(struct model_reader *reader, struct word word, enum reader_range range,
-                         double *number);
+/* The numbers up to the end of the line. */
+bool reader_read_numbers(struct model_reader *reader, struct reader_numbers *numbers);
 
-/* The numbers up to the end of the line. The first `finite` of them must be READER_FINITE. */
-bool reader_read_numbers(struct model_reader *reader, size_t finite,
-                         struct reader_numbers *numbers);
+/* The point that homogeneous coordinates name; at infinity, the direction to it. */
+static inline void reader_divide_by_w(double position[4]) {
+    for (int i = 0; position[3] != 0 && i < 3; i++) {
+        position[i] /= position[3];
+    }
+}
 
 /* Note the line of the current statement, unless the model has that warning already. */
 void reader_warn(struct model_reader *reader, enum model_warning warning);
 
-/* Add to the model. All but positions is rounded to float. A texture coordinate that is none
+/* Add to the model. All but positions is rounded to float. A position that is not finite, or too
+ * large for a float, is an error only where a face names it. A texture coordinate that is none
  * becomes 0; when the model is finished, corners lose a normal that has no direction. */
 bool reader_add_position(struct model_reader *reader, const double position[3]);
 bool reader_add_uv(struct model_reader *reader, double u, double v);
@@ -107,6 +111,9 @@ bool reader_color_faces(struct model_reader *reader, size_t first, const double 
 /* The faces to come have that material; those before it keep theirs. At most 1,024 are known apart;
  * faces of more have none. */
 bool reader_use_material(struct model_reader *reader, struct word name);
+
+/* The faces to come are of that smoothing group; 0: of none. */
+bool reader_use_group(struct model_reader *reader, uint32_t group);
 
 /* Add the name of a file of materials. */
 bool reader_add_library(struct model_reader *reader, struct word name);

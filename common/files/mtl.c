@@ -1,22 +1,32 @@
 /* Files of materials; see mtl.h. */
 #include "files/mtl.h"
 
-#include "base/file.h"
 #include "base/text.h"
+#include "files/find.h"
 
-#include <ctype.h>
-#include <limits.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
+static bool is_same(struct word a, struct word b) {
+    return a.length == b.length && (a.length == 0 || memcmp(a.start, b.start, a.length) == 0);
+}
+
+/* The material of that name or else, since a name may hold anything, of the same name with a
+ * comment behind it here or there. */
 static struct model_material *find_material(struct model *model, struct word name) {
+    struct model_material *similar = NULL;
     for (size_t i = 0; i < model->material_count; i++) {
-        if (word_is(name, model->materials[i].name)) {
+        const char *own = model->materials[i].name;
+        struct word whole = {own, strlen(own)};
+        if (is_same(name, whole)) {
             return &model->materials[i];
         }
+        if (is_same(name_without_rest(name), whole) || is_same(name, name_without_rest(whole))) {
+            similar = &model->materials[i];
+        }
     }
-    return NULL;
+    return similar;
 }
 
 /* "r g b", or one number for all three, or levels where one is above 2. Colours are cut to 0..1.
@@ -91,113 +101,48 @@ static void read_options(struct text *text, struct model_material *material) {
     }
 }
 
-/* Is the file there, perhaps with its extension in small or in capital letters? Then the path has
- * these. */
-static bool find_in_any_case(char *path) {
-    char *dot = strrchr(path, '.'), given[8];
-    if (file_exists(path) || dot == NULL || strlen(dot) >= sizeof given) {
-        return file_exists(path);
-    }
-    strcpy(given, dot);
-    for (int letter = 0x20; letter >= 0; letter -= 0x20) {
-        for (size_t i = 1; given[i] != '\0'; i++) {
-            dot[i] =
-                isalpha((unsigned char)given[i]) ? (char)((given[i] & ~0x20) | letter) : given[i];
-        }
-        if (file_exists(path)) {
-            return true;
-        }
-    }
-    strcpy(dot, given);
-    return false;
-}
-
-char *mtl_path(struct word name, const char *directory) {
-    bool quoted = name.length > 1 && name.start[0] == '"' && name.start[name.length - 1] == '"';
-    int length = name.length > INT_MAX ? 0 : (int)name.length - (quoted ? 2 : 0);
-    char *path =
-        name.length == 0 ? NULL : string_format("%s%.*s", directory, length, name.start + quoted);
-    for (char *p = path; p != NULL && *p != '\0'; p++) {
-        if (*p == '\\') {
-            *p = '/';
-        }
-    }
-    const char *slash = path == NULL ? NULL : strrchr(path, '/');
-    if (path == NULL || find_in_any_case(path) || slash == NULL) {
-        return path;
-    }
-    char *next_to = string_format("%s%s", directory, slash + 1);
-    if (next_to != NULL && !find_in_any_case(next_to)) {
-        free(next_to);
-        return path; /* as it is written, for messages */
-    }
-    free(path);
-    return next_to;
-}
-
-/* The name before a comment, or before options where some write them. (Names may hold blanks.) */
-static struct word without_rest(struct word name) {
-    for (size_t i = 1; i + 1 < name.length; i++) {
-        const char *p = name.start + i;
-        if (p[-1] == ' ' && (*p == '#' || (*p == '-' && isalpha((unsigned char)p[1])))) {
-            for (name.length = i; name.length > 0 && name.start[name.length - 1] == ' ';) {
-                name.length--;
-            }
-        }
-    }
-    return name;
-}
-
 /* A map of the material: its options, and its path instead of the last one. */
 static bool read_map(struct text *text, struct model_material *options, const char *directory,
                      char **path) {
     read_options(text, options);
     struct word name = text_rest_of_line(text);
+    bool found;
     free(*path);
-    *path = mtl_path(name, directory);
-    if (*path != NULL && !file_exists(*path)) {
-        free(*path);
-        *path = mtl_path(without_rest(name), directory);
-    }
+    *path = find_named(name, directory, true, &found);
     return name.length == 0 || *path != NULL;
 }
 
-/* Small and capital letters are the same, as in many files. */
-static bool is_keyword(struct word word, const char *name) {
-    return word.length == strlen(name) && word_begins(word, name);
-}
-
-/* False when memory runs out. */
+/* Keywords are written in small or capital letters. False when memory runs out. */
 static bool read_statement(struct text *text, struct word keyword, const char *directory,
                            struct model_material *material) {
     double number;
     struct model_material options = {.bump = 1}; /* of other maps than that of the colours */
-    bool is_norm = is_keyword(keyword, "norm");
-    bool is_bump = is_keyword(keyword, "map_Bump") || is_keyword(keyword, "bump");
-    if (is_keyword(keyword, "Kd")) {
+    bool is_norm = word_matches(keyword, "norm");
+    bool is_bump = word_matches(keyword, "map_Bump") || word_matches(keyword, "bump");
+    if (word_matches(keyword, "Kd")) {
         read_color(text, material->color);
-    } else if (is_keyword(keyword, "Ka")) {
+    } else if (word_matches(keyword, "Ka")) {
         material->has_ambient =
             read_color(text, material->ambient) && !is_usual_ambient(material->ambient);
-    } else if (is_keyword(keyword, "Ks")) {
+    } else if (word_matches(keyword, "Ks")) {
         float color[3] = {0};
         read_color(text, color);
         material->specular = (color[0] + color[1] + color[2]) / 3;
-    } else if (is_keyword(keyword, "Ns")) {
+    } else if (word_matches(keyword, "Ns")) {
         bool given = text_next_number(text, &number).length > 0 && number >= 0 && number <= 1e4;
         material->power = given ? (float)number : material->power;
-    } else if (is_keyword(keyword, "d") || is_keyword(keyword, "Tr")) {
+    } else if (word_matches(keyword, "d") || word_matches(keyword, "Tr")) {
         bool given = text_next_number(text, &number).length > 0;
-        material->hidden = is_keyword(keyword, "d") ? given && number <= 0 : material->hidden;
+        material->hidden = word_matches(keyword, "d") ? given && number <= 0 : material->hidden;
         material->glassy = material->glassy || (given && number > 0 && number < 1);
-    } else if (is_keyword(keyword, "map_d")) {
+    } else if (word_matches(keyword, "map_d")) {
         material->glassy = true;
-    } else if (is_keyword(keyword, "map_Kd")) {
+    } else if (word_matches(keyword, "map_Kd")) {
         options.bump = material->bump; /* is not its own */
         bool done = read_map(text, material, directory, &material->texture);
         material->bump = options.bump;
         return done;
-    } else if (is_keyword(keyword, "map_Ks") || is_keyword(keyword, "map_Ns")) {
+    } else if (word_matches(keyword, "map_Ks") || word_matches(keyword, "map_Ns")) {
         return read_map(text, &options, directory, &material->shine);
     } else if (is_norm || (is_bump && !material->is_norm)) {
         material->is_norm = is_norm;
@@ -229,7 +174,7 @@ bool mtl_decode(struct model *model, const void *data, size_t size, const char *
     }
     while (text_next_line(&text)) {
         struct word keyword = text_next_word(&text);
-        if (is_keyword(keyword, "newmtl")) {
+        if (word_matches(keyword, "newmtl")) {
             material = find_material(model, text_rest_of_line(&text));
             if (material != NULL) {
                 material->known = true;

@@ -10,7 +10,6 @@
 #define COMMON_FILES_MTL_H
 
 #include "base/error.h"
-#include "base/text.h"
 #include "model.h"
 
 #include <stddef.h>
@@ -19,10 +18,5 @@
  * one that ends with '/') comes before the names of textures. False when memory runs out. */
 bool mtl_decode(struct model *model, const void *data, size_t size, const char *directory,
                 struct error *error);
-
-/* The path of a file that another one in `directory` names: next to that or, where it is not there
- * (many files name directories of their maker's machine), by its last part alone. The caller frees
- * it; NULL for an empty name, or when memory runs out. */
-char *mtl_path(struct word name, const char *directory);
 
 #endif

@@ -35,21 +35,22 @@ double model_angle(struct vec3 a, struct vec3 b) {
     return both ? 2 * angle_of_ratio(apart, along) : 0;
 }
 
-/* ---- Normals ---- */
+/* ---- Sets ---- */
 
-/* Add a face's normal to the sum at each of its positions, weighted by its angle there. */
-static void add_face_normal(const struct model *model, size_t face, struct vec3 *sums) {
-    struct vec3 p[3];
-    for (size_t i = 0; i < 3; i++) {
-        p[i] = model_position(model, face, i);
+size_t sets_find(size_t *lower, size_t number) {
+    while (lower[number] != number) {
+        lower[number] = lower[lower[number]];
+        number = lower[number];
     }
-    struct vec3 normal = vec3_normalized(vec3_cross(vec3_sub(p[1], p[0]), vec3_sub(p[2], p[0])));
-    for (size_t i = 0; i < 3; i++) {
-        double angle = model_angle(vec3_sub(p[(i + 1) % 3], p[i]), vec3_sub(p[(i + 2) % 3], p[i]));
-        struct vec3 *sum = &sums[model->faces[face].corner[i].position];
-        *sum = vec3_add(*sum, vec3_scale(normal, angle));
-    }
+    return number;
 }
+
+void sets_join(size_t *lower, size_t a, size_t b) {
+    size_t least = sets_find(lower, a), other = sets_find(lower, b);
+    lower[least > other ? least : other] = least < other ? least : other;
+}
+
+/* ---- Normals ---- */
 
 /* Append the normal of a position to the model's, which has room for it. */
 static uint32_t append_normal(struct model *model, struct vec3 sum) {
@@ -62,61 +63,182 @@ static uint32_t append_normal(struct model *model, struct vec3 sum) {
     return (uint32_t)model->normal_count++;
 }
 
-static size_t count_bare_corners(const struct model *model) {
-    size_t count = 0;
-    for (size_t i = 0; i < model->face_count; i++) {
-        for (int j = 0; j < 3; j++) {
-            count += model->faces[i].corner[j].normal == MODEL_NONE;
-        }
-    }
-    return count;
+/* ---- Which corners share a normal ----
+ *
+ * Around a position the faces are a fan, or several: those that one reaches from each other over
+ * soft edges. Each fan has one normal. */
+
+enum {
+    HARD_DEGREES = 60, /* as in three.js; the sides of a column of six are soft, a cube's hard */
+    NEIGHBOURS = 8     /* looked at where so many faces meet in an edge that it means nothing */
+};
+
+/* The edge from the position to another one, of the face that is `corner` in its list. */
+struct spoke {
+    uint32_t to, corner;
+};
+
+/* A corner at the position, the first of its fan for all of them. */
+struct leaf {
+    struct vec3 face_normal; /* of length 1 or 0 */
+    struct vec3 sum;         /* of the fan's normals */
+    uint32_t normal;         /* MODEL_NONE: none yet */
+};
+
+/* Of a position. The arrays have room for as many corners as any position has. */
+struct fans {
+    struct model *model;
+    double least;           /* cosine of the angle between faces from which on an edge is hard */
+    bool all;               /* none is */
+    const uint32_t *corner; /* 3 * face + 0, 1 or 2 */
+    size_t count;
+    struct leaf *leaves;
+    struct spoke *spokes; /* two a corner */
+    size_t *lower;        /* see sets_join() */
+};
+
+static int compare_spokes(const void *a, const void *b) {
+    const struct spoke *x = a, *y = b;
+    return x->to != y->to ? (x->to > y->to) - (x->to < y->to)
+                          : (x->corner > y->corner) - (x->corner < y->corner);
 }
 
-/* Room for `more` normals. */
-static bool reserve_normals(struct model *model, size_t more) {
-    size_t capacity = model->normal_count;
-    return more < MODEL_NONE - model->normal_count &&
-           array_extend(&model->normals, &capacity, model->normal_count + more,
-                        sizeof *model->normals);
-}
-
-/* Give bare corners the normal of their position, which is made for the first of them. `normal_of`
- * holds MODEL_NONE for every position. */
-static void give_normals(struct model *model, const struct vec3 *sums, uint32_t *normal_of) {
-    for (size_t i = 0; i < model->face_count; i++) {
-        for (int j = 0; j < 3; j++) {
-            struct corner *corner = &model->faces[i].corner[j];
-            if (corner->normal != MODEL_NONE) {
-                continue;
-            }
-            if (normal_of[corner->position] == MODEL_NONE) {
-                normal_of[corner->position] = append_normal(model, sums[corner->position]);
-            }
-            corner->normal = normal_of[corner->position];
+/* Is the edge between these two corners' faces soft? The file's smoothing groups say so, or the
+ * angle. A face without area says nothing. */
+static bool is_soft(const struct fans *fans, size_t a, size_t b) {
+    const struct model *model = fans->model;
+    struct vec3 u = fans->leaves[a].face_normal, v = fans->leaves[b].face_normal;
+    if (model->face_groups != NULL && !model->hard_given) {
+        uint32_t one = model->face_groups[fans->corner[a] / 3];
+        uint32_t other = model->face_groups[fans->corner[b] / 3];
+        if (one != MODEL_NONE || other != MODEL_NONE) {
+            return one == other && one != 0;
         }
     }
+    return vec3_dot(u, v) >= fans->least || vec3_dot(u, u) == 0 || vec3_dot(v, v) == 0;
+}
+
+static void find_fans(const struct fans *fans) {
+    const struct model *model = fans->model;
+    const size_t spokes = 2 * fans->count;
+    for (size_t i = 0; i < fans->count; i++) {
+        const struct corner *corner = model->faces[fans->corner[i] / 3].corner;
+        const uint32_t at = fans->corner[i] % 3, number = (uint32_t)i;
+        fans->spokes[2 * i] = (struct spoke){corner[(at + 1) % 3].position, number};
+        fans->spokes[2 * i + 1] = (struct spoke){corner[(at + 2) % 3].position, number};
+        fans->lower[i] = fans->all ? 0 : i;
+    }
+    if (fans->all) {
+        return;
+    }
+    qsort(fans->spokes, spokes, sizeof *fans->spokes, compare_spokes);
+    for (size_t i = 0; i < spokes; i++) {
+        const struct spoke *one = &fans->spokes[i], *other = one + 1;
+        for (; other < fans->spokes + spokes && other <= one + NEIGHBOURS && other->to == one->to;
+             other++) {
+            if (is_soft(fans, one->corner, other->corner)) {
+                sets_join(fans->lower, one->corner, other->corner);
+            }
+        }
+    }
+}
+
+/* Give the bare corners of the position the normal of their fan: the sum of those of its faces,
+ * weighted by the angle of each there. False when memory runs out. */
+static bool give_normals(struct fans *fans, size_t *capacity) {
+    struct model *model = fans->model;
+    for (size_t i = 0; i < fans->count; i++) {
+        fans->leaves[i] = (struct leaf){
+            .face_normal = vec3_normalized(model_face_normal(model, fans->corner[i] / 3)),
+            .normal = MODEL_NONE};
+    }
+    find_fans(fans);
+    for (size_t i = 0; i < fans->count; i++) {
+        const size_t face = fans->corner[i] / 3, at = fans->corner[i] % 3;
+        struct vec3 p = model_position(model, face, at);
+        double angle = model_angle(vec3_sub(model_position(model, face, (at + 1) % 3), p),
+                                   vec3_sub(model_position(model, face, (at + 2) % 3), p));
+        struct vec3 *sum = &fans->leaves[sets_find(fans->lower, i)].sum;
+        *sum = vec3_add(*sum, vec3_scale(fans->leaves[i].face_normal, angle));
+    }
+    for (size_t i = 0; i < fans->count; i++) {
+        uint32_t *normal = &model->faces[fans->corner[i] / 3].corner[fans->corner[i] % 3].normal;
+        struct leaf *fan = &fans->leaves[sets_find(fans->lower, i)];
+        if (*normal == MODEL_NONE && fan->normal == MODEL_NONE) {
+            if (model->normal_count == MODEL_NONE ||
+                !array_extend(&model->normals, capacity, model->normal_count + 1,
+                              sizeof *model->normals)) {
+                return false;
+            }
+            fan->normal = append_normal(model, fan->sum);
+        }
+        *normal = *normal == MODEL_NONE ? fan->normal : *normal;
+    }
+    return true;
+}
+
+/* The corners of all faces sorted by their positions, and where in this list those of each position
+ * end; the most that one has. */
+static size_t sort_corners(const struct model *model, uint32_t *corners, uint32_t *ends) {
+    uint32_t most = 0, sum = 0;
+    for (size_t i = 0; i < 3 * model->face_count; i++) {
+        ends[model->faces[i / 3].corner[i % 3].position]++;
+    }
+    for (size_t i = 0; i < model->position_count; i++) {
+        uint32_t count = ends[i];
+        most = count > most ? count : most;
+        ends[i] = sum; /* the begin, at first */
+        sum += count;
+    }
+    for (uint32_t i = 0; i < 3 * model->face_count; i++) {
+        corners[ends[model->faces[i / 3].corner[i % 3].position]++] = i;
+    }
+    return most;
+}
+
+static bool share_normals(struct model *model, uint32_t *corners, uint32_t *ends) {
+    const double degrees = model->hard_given ? model->hard_degrees : HARD_DEGREES;
+    const double rounding = 0.1; /* of positions in files */
+    size_t most = sort_corners(model, corners, ends), capacity = model->normal_count;
+    struct fans fans = {
+        .model = model,
+        .least = turn_direction((degrees + rounding) / 360).x,
+        .all = degrees >= 180,
+        .leaves = calloc(most + 1, sizeof *fans.leaves),
+        .spokes = calloc(2 * most + 1, sizeof *fans.spokes),
+        .lower = calloc(most + 1, sizeof *fans.lower),
+    };
+    bool done = fans.leaves != NULL && fans.spokes != NULL && fans.lower != NULL;
+    for (size_t i = 0, begin = 0; done && i < model->position_count; begin = ends[i++]) {
+        fans.corner = corners + begin;
+        fans.count = ends[i] - begin;
+        done = give_normals(&fans, &capacity);
+    }
+    free(fans.leaves);
+    free(fans.spokes);
+    free(fans.lower);
+    return done;
+}
+
+static bool lacks_normals(const struct model *model) {
+    size_t i = 0;
+    while (i < 3 * model->face_count && model->faces[i / 3].corner[i % 3].normal != MODEL_NONE) {
+        i++;
+    }
+    return i < 3 * model->face_count;
 }
 
 bool model_need_normals(struct model *model, struct error *error) {
-    size_t bare = count_bare_corners(model), positions = model->position_count;
-    if (bare == 0) {
+    if (!lacks_normals(model)) {
         return true;
     }
-    struct vec3 *sums = calloc(positions, sizeof *sums);
-    uint32_t *normal_of = malloc(positions * sizeof *normal_of); /* of a position */
-    bool done = sums != NULL && normal_of != NULL &&
-                reserve_normals(model, bare < positions ? bare : positions);
-    if (done) {
-        for (size_t i = 0; i < positions; i++) {
-            normal_of[i] = MODEL_NONE;
-        }
-        for (size_t i = 0; i < model->face_count; i++) {
-            add_face_normal(model, i, sums);
-        }
-        give_normals(model, sums, normal_of);
+    uint32_t *corners = NULL, *ends = calloc(model->position_count, sizeof *ends);
+    if (model->face_count <= UINT32_MAX / 3) {
+        corners = calloc(3 * model->face_count, sizeof *corners);
     }
-    free(sums);
-    free(normal_of);
+    bool done = corners != NULL && ends != NULL && share_normals(model, corners, ends);
+    free(corners);
+    free(ends);
     return done || error_out_of_memory(error);
 }
 
@@ -161,6 +283,7 @@ bool model_need_colors(struct model *model, struct error *error) {
     if (model->face_colors != NULL || model->colors != NULL) {
         return true;
     }
+    model->colors_computed = true;
     if (has_colorful_material(model)) {
         return take_colors_of_materials(model, error);
     }

@@ -27,31 +27,36 @@ struct obj {
 
 /* The numbers of a line, of which there are at least so many. */
 static inline bool read_numbers(struct model_reader *reader, const char *keyword, size_t least,
-                                size_t finite, struct reader_numbers *numbers) {
-    return reader_read_numbers(reader, finite, numbers) &&
+                                struct reader_numbers *numbers) {
+    return reader_read_numbers(reader, numbers) &&
            (numbers->count >= least ||
             text_error(reader->error, reader->line, "'%s' takes %zu or more numbers, not %zu",
                        keyword, least, numbers->count));
 }
 
-/* x y z, or x y z r g b; what else follows, such as w, counts for nothing. */
+/* x y z, or x y z w, or x y z r g b; what else follows counts for nothing. */
 static bool read_position(struct model_reader *reader) {
     struct reader_numbers numbers;
-    return read_numbers(reader, "v", 3, 3, &numbers) &&
-           reader_add_position(reader, numbers.value) &&
+    if (!read_numbers(reader, "v", 3, &numbers)) {
+        return false;
+    }
+    if (numbers.count == 4) {
+        reader_divide_by_w(numbers.value);
+    }
+    return reader_add_position(reader, numbers.value) &&
            (numbers.count < 6 || reader_color_position(reader, numbers.value + 3));
 }
 
 /* u, u v, u v w */
 static bool read_uv(struct model_reader *reader) {
     struct reader_numbers numbers;
-    return read_numbers(reader, "vt", 1, 0, &numbers) &&
+    return read_numbers(reader, "vt", 1, &numbers) &&
            reader_add_uv(reader, numbers.value[0], numbers.count > 1 ? numbers.value[1] : 0);
 }
 
 static bool read_normal(struct model_reader *reader) {
     struct reader_numbers numbers;
-    return read_numbers(reader, "vn", 3, 0, &numbers) && reader_add_normal(reader, numbers.value);
+    return read_numbers(reader, "vn", 3, &numbers) && reader_add_normal(reader, numbers.value);
 }
 
 /* A line of an attribute: counted, and read if it is of use and not read yet. */
@@ -195,23 +200,49 @@ static bool read_line(struct obj *obj) {
            (read_corners(obj) && reader_add_lines(&obj->reader));
 }
 
+/* "s 2": the smoothing group of the faces to come; "s off" and "s 0": none. */
+static bool read_group(struct obj *obj) {
+    struct word word = text_next_word(&obj->reader.text);
+    int64_t number = word_matches(word, "off") ? 0 : 1;
+    (void)word_to_integer(word, &number);
+    return obj->reading_ahead || obj->unused[NORMAL] != 0 ||
+           reader_use_group(&obj->reader, (uint32_t)(number & 0x7fffffff));
+}
+
 /* ---- All of it ---- */
+
+enum { LONGEST_KEYWORD = 6 };
+
+/* The keyword in small letters, as a few writers do not write it. */
+static struct word in_small_letters(struct word keyword, char copy[LONGEST_KEYWORD]) {
+    if (keyword.length <= LONGEST_KEYWORD) {
+        for (size_t i = 0; i < keyword.length; i++) {
+            copy[i] = (char)(keyword.start[i] | 0x20);
+        }
+        keyword.start = copy;
+    }
+    return keyword;
+}
 
 /* Lines with other keywords are passed over. */
 static bool read_lines(struct obj *obj) {
     struct word keyword;
+    char copy[LONGEST_KEYWORD];
     bool done = true;
     while (done && reader_next_line(&obj->reader, &keyword)) {
+        keyword = in_small_letters(keyword, copy);
         if (word_is(keyword, "v")) {
             done = read_attribute(obj, POSITION);
         } else if (word_is(keyword, "vt")) {
             done = read_attribute(obj, UV);
         } else if (word_is(keyword, "vn")) {
             done = read_attribute(obj, NORMAL);
-        } else if (word_is(keyword, "f")) {
+        } else if (word_is(keyword, "f") || word_is(keyword, "fo")) {
             done = read_face(obj);
         } else if (word_is(keyword, "l")) {
             done = read_line(obj);
+        } else if (word_is(keyword, "s")) {
+            done = read_group(obj);
         } else if (word_is(keyword, "usemtl")) {
             done = obj->reading_ahead ||
                    reader_use_material(&obj->reader, text_rest_of_line(&obj->reader.text));

@@ -9,8 +9,6 @@
 #include "files/model_reader.h"
 
 #include <assert.h>
-#include <float.h>
-#include <math.h>
 #include <string.h>
 
 /* ---- The first lines ---- */
@@ -183,24 +181,30 @@ static bool read_header(struct model_reader *reader, struct off_guess guess, str
 /* ---- Vertices ---- */
 
 /* The next number of vertex `number` of `total`. */
-static bool read_number(struct model_reader *reader, size_t number, size_t total,
-                        enum reader_range range, double *value) {
+static bool read_number(struct model_reader *reader, size_t number, size_t total, double *value) {
     struct word word;
     if (!reader_next_word(reader, &word)) {
         return text_error(reader->error, reader->line, "the file ends after %zu of %zu vertices",
                           number, total);
     }
-    return reader_parse_number(reader, word, range, value);
+    return reader_parse_number(reader, word, value);
 }
 
-/* The point that homogeneous coordinates name; at infinity, the direction to it. */
-static bool divide_by_w(struct model_reader *reader, double position[4]) {
-    bool right = true;
-    for (int i = 0; position[3] != 0 && i < 3; i++) {
-        position[i] /= position[3];
-        right = right && fabs(position[i]) <= FLT_MAX;
+/* Is the next line "n i1 ... in", as of a face, with indices below `total`? Returns its number, or
+ * 0. */
+static size_t find_face(struct text text, size_t total) {
+    int64_t corners, index;
+    struct word word = text_next_word(&text);
+    size_t count = 0;
+    while (word.length == 0 && text_next_line(&text)) {
+        word = text_next_word(&text);
     }
-    return right || text_error(reader->error, reader->line, "the vertex is too far away");
+    bool whole = word_to_integer(word, &corners) && corners >= 3;
+    for (word = text_next_word(&text); whole && word.length > 0; word = text_next_word(&text)) {
+        whole = word_to_integer(word, &index) && index >= 0 && (uint64_t)index < total;
+        count++;
+    }
+    return whole && count == (size_t)corners ? text.line : 0;
 }
 
 static bool read_vertex(struct model_reader *reader, const struct off_kind *kind, size_t number,
@@ -209,8 +213,7 @@ static bool read_vertex(struct model_reader *reader, const struct off_kind *kind
     size_t normal_at = kind->four ? 4 : 3, color_at = normal_at + (kind->normal ? 3 : 0);
     size_t least = color_at + (kind->color ? 3 : 0) + (kind->uv ? 2 : 0), count = 0, line = 0;
     while (count < least || (count == least && kind->color && one_word_is_left(reader->text))) {
-        enum reader_range range = count < normal_at ? READER_FINITE : READER_ANY;
-        if (!read_number(reader, number, total, range, &value[count++])) {
+        if (!read_number(reader, number, total, &value[count++])) {
             return false;
         }
         line = count == 1 ? reader->line : line;
@@ -218,14 +221,21 @@ static bool read_vertex(struct model_reader *reader, const struct off_kind *kind
     if (kind->own_lines && (line != reader->line || text_next_word(&reader->text).length > 0)) {
         return false; /* it was but a guess, and its message is ignored */
     }
-    return (!kind->four || divide_by_w(reader, value)) && reader_add_position(reader, value) &&
+    if (kind->four) {
+        reader_divide_by_w(value);
+    }
+    return reader_add_position(reader, value) &&
            (!kind->color || reader_color_position(reader, value + color_at)) &&
            (!kind->normal || reader_add_normal(reader, value + normal_at)) &&
            (!kind->uv || reader_add_uv(reader, value[count - 2], value[count - 1]));
 }
 
-static bool read_vertices(struct model_reader *reader, const struct off_kind *kind, size_t total) {
+/* Sets the line of a face where the last of them should be; 0: it is none. */
+static bool read_vertices(struct model_reader *reader, const struct off_kind *kind, size_t total,
+                          size_t *face_line) {
+    *face_line = 0;
     for (size_t i = 0; i < total; i++) {
+        *face_line = i + 1 == total ? find_face(reader->text, total) : 0;
         if (!read_vertex(reader, kind, i, total)) {
             return false;
         }
@@ -282,7 +292,7 @@ static bool are_whole(struct text text) {
 static bool read_face_color(struct model_reader *reader, double color[3], bool *colored) {
     struct reader_numbers numbers;
     double scale = are_whole(reader->text) ? 255 : 1;
-    if (!reader_read_numbers(reader, SIZE_MAX, &numbers)) {
+    if (!reader_read_numbers(reader, &numbers)) {
         return false;
     }
     if (numbers.count == 2 || numbers.count > 4) {
@@ -336,15 +346,19 @@ static bool read_all(struct model_reader *reader, unsigned parts, struct off_gue
     bool done = read_header(reader, guess, &kind, &counts);
     *in_doubt = counts.in_doubt;
     kind.lines = (parts & MODEL_LINES) != 0;
-    if (!done || !read_vertices(reader, &kind, counts.vertices)) {
+    size_t face_line;
+    if (!done || !read_vertices(reader, &kind, counts.vertices, &face_line)) {
         return false;
     }
-    for (size_t i = 0; i < counts.faces; i++) {
-        if (!read_off_face(reader, &kind, i, counts.faces)) {
-            return false;
-        }
+    for (size_t i = 0; done && i < counts.faces; i++) {
+        done = read_off_face(reader, &kind, i, counts.faces);
     }
-    return read_end(reader, counts.faces) && reader_finish(reader);
+    done = done && read_end(reader, counts.faces);
+    if (!done && face_line > 0 && reader->error->line > 0) {
+        return text_error(reader->error, face_line, "a face where vertex %zu of %zu is expected",
+                          counts.vertices, counts.vertices);
+    }
+    return done && reader_finish(reader);
 }
 
 static bool decode_off(struct model *model, const void *data, size_t size, unsigned parts,

@@ -182,13 +182,15 @@ static bool is_needed(const struct chunk *chunk) {
     return (chunk->type[0] & 32) == 0;
 }
 
-/* Split off the next chunk; `position` moves behind it. */
-static bool next_chunk(const uint8_t *data, size_t size, size_t *position, struct chunk *chunk,
-                       struct error *error) {
+/* Split off the next chunk; `position` moves behind it. Of pixels that are cut off, what is there
+ * may be all that is needed; behind them no chunk is. */
+static bool next_chunk(struct png *png, const uint8_t *data, size_t size, size_t *position,
+                       struct chunk *chunk, struct error *error) {
     size_t left = size - *position;
+    const uint8_t *const end = (const uint8_t *)"IEND";
+    *chunk = (struct chunk){.type = end};
     if (left < CHUNK_OVERHEAD) {
-        error_set(error, "a PNG cut off before its end");
-        return false;
+        return png->seen_data || error_set(error, "a PNG cut off before its end");
     }
     const uint8_t *start = data + *position;
     uint32_t length = get_u32(start);
@@ -198,6 +200,12 @@ static bool next_chunk(const uint8_t *data, size_t size, size_t *position, struc
         if (letter < 'a' || letter > 'z') {
             return error_set(error, "a PNG chunk without a name at byte %zu", *position);
         }
+    }
+    if (length > left - CHUNK_OVERHEAD && (png->seen_data || is_type(chunk, "IDAT"))) {
+        chunk->type = is_type(chunk, "IDAT") ? chunk->type : end;
+        chunk->size = left - 8;
+        *position = size;
+        return true;
     }
     if (length > CHUNK_LIMIT || length > left - CHUNK_OVERHEAD) {
         return error_set(error, "a PNG cut off: chunk %.4s claims %lu bytes, but %zu are left",
@@ -241,6 +249,9 @@ static bool check_depth(const struct png *png, struct error *error) {
 }
 
 static bool read_ihdr(struct png *png, const struct chunk *chunk, struct error *error) {
+    if (is_type(chunk, "CgBI")) {
+        return error_set(error, "an iPhone's PNG (CgBI), which packs its pixels in another way");
+    }
     if (!is_type(chunk, "IHDR") || chunk->size != HEADER_SIZE) {
         return error_set(error, "a PNG that does not begin with a header");
     }
@@ -267,16 +278,16 @@ static bool read_ihdr(struct png *png, const struct chunk *chunk, struct error *
     return check_depth(png, error);
 }
 
+/* The colours of a palette. One that serves no pixels is passed over, as libpng does. */
 static bool read_palette(struct png *png, const struct chunk *chunk, struct error *error) {
-    bool grey = png->color_type == COLOR_GREY || png->color_type == COLOR_GREY_ALPHA;
-    size_t limit = png->color_type == COLOR_PALETTE ? (size_t)1 << png->depth : PALETTE_LIMIT;
-    if (grey || png->palette_size > 0 || png->has_alpha_chunk || png->seen_data) {
-        return error_set(error, "a PNG with a palette in the wrong place");
+    const size_t limit = (size_t)1 << png->depth, count = chunk->size / 3;
+    if (png->color_type != COLOR_PALETTE || png->palette_size > 0 || png->seen_data) {
+        return true;
     }
-    if (chunk->size == 0 || chunk->size % 3 != 0 || chunk->size / 3 > limit) {
+    if (chunk->size == 0 || chunk->size % 3 != 0 || count > PALETTE_LIMIT) {
         return error_set(error, "a PNG with a palette of %zu bytes", chunk->size);
     }
-    png->palette_size = chunk->size / 3;
+    png->palette_size = count < limit ? count : limit;
     for (size_t i = 0; i < png->palette_size; i++) {
         const uint8_t *rgb = chunk->data + 3 * i;
         const uint8_t bgra[4] = {rgb[2], rgb[1], rgb[0], 255};
@@ -285,19 +296,16 @@ static bool read_palette(struct png *png, const struct chunk *chunk, struct erro
     return true;
 }
 
-/* tRNS: the alpha of palette entries, or the one colour that is transparent. */
-static bool read_transparency(struct png *png, const struct chunk *chunk, struct error *error) {
+/* tRNS: the alpha of palette entries, or the one colour that is transparent. One of another size or
+ * in the wrong place is passed over, as libpng does. */
+static void read_transparency(struct png *png, const struct chunk *chunk) {
     bool palette = png->color_type == COLOR_PALETTE;
     bool own_alpha = png->color_type == COLOR_GREY_ALPHA || png->color_type == COLOR_RGBA;
-    if (own_alpha || png->has_alpha_chunk || png->seen_data ||
-        (palette && png->palette_size == 0)) {
-        return error_set(error, "a PNG with a tRNS chunk in the wrong place");
-    }
     size_t samples = channel_count(png->color_type);
     bool right_size =
         palette ? chunk->size >= 1 && chunk->size <= png->palette_size : chunk->size == 2 * samples;
-    if (!right_size) {
-        return error_set(error, "a PNG with a tRNS chunk of %zu bytes", chunk->size);
+    if (own_alpha || png->has_alpha_chunk || png->seen_data || !right_size) {
+        return;
     }
     png->has_alpha_chunk = true;
     for (size_t i = 0; palette && i < chunk->size; i++) {
@@ -307,7 +315,6 @@ static bool read_transparency(struct png *png, const struct chunk *chunk, struct
         unsigned sample = (unsigned)chunk->data[2 * i] << 8 | chunk->data[2 * i + 1];
         png->clear[i] = (uint16_t)(sample & ((1u << png->depth) - 1));
     }
-    return true;
 }
 
 static bool read_data(struct png *png, const struct chunk *chunk, struct error *error) {
@@ -334,11 +341,12 @@ static bool read_chunk(struct png *png, const struct chunk *chunk, struct error 
         return read_palette(png, chunk, error);
     }
     if (is_type(chunk, "tRNS")) {
-        return read_transparency(png, chunk, error);
+        read_transparency(png, chunk);
+        return true;
     }
     if (is_type(chunk, "IEND")) {
         png->ended = true;
-        return (chunk->size == 0 && png->seen_data) || error_set(error, "a PNG without pixel data");
+        return png->seen_data || error_set(error, "a PNG without pixel data");
     }
     return !is_needed(chunk) ||
            error_set(error, "a PNG with an unknown chunk, %.4s", (const char *)chunk->type);
@@ -354,11 +362,12 @@ static bool read_chunks(struct png *png, const uint8_t *data, size_t size, struc
     if (!png_has_signature(data, size)) {
         return error_set(error, "not a PNG");
     }
-    if (!next_chunk(data, size, &position, &chunk, error) || !read_ihdr(png, &chunk, error)) {
+    if (!next_chunk(png, data, size, &position, &chunk, error) || !read_ihdr(png, &chunk, error)) {
         return false;
     }
     while (!png->ended) {
-        if (!next_chunk(data, size, &position, &chunk, error) || !read_chunk(png, &chunk, error)) {
+        if (!next_chunk(png, data, size, &position, &chunk, error) ||
+            !read_chunk(png, &chunk, error)) {
             return false;
         }
     }
@@ -504,6 +513,9 @@ static bool decode_pixels(const struct png *png, struct image *image, struct err
     if (pixels > PIXELS_OF_ANY && pixels / DEFLATE_RATIO_LIMIT > png->compressed.size) {
         return error_set(error, "a PNG of %zux%zu pixels in no more than %zu bytes is not read",
                          png->width, png->height, png->compressed.size);
+    }
+    if (!image_check_size(png->width, png->height, png->compressed.size, error)) {
+        return false;
     }
     uint8_t *memory = malloc(row_size + (size_t)raw_size); /* after a row of zeros */
     if (memory == NULL) {

@@ -19,10 +19,11 @@ bool png_has_signature(const void *data, size_t size);
 
 /* Read grey and palette (BGR) of 1, 2, 4 or 8 bits, grey+alpha (becomes BGRA), RGB and RGBA;
  * channels of 16 bits are rounded to 8; a tRNS chunk gives BGRA; a palette index without a colour
- * is black. An animation gives its first frame. Every length and Huffman code is checked, and the
- * checksum of every chunk that a picture needs; memory stays within what the file's size can decode
- * to: from 16 million pixels on, one for each byte. `image` is overwritten, not freed; empty on an
- * error. */
+ * is black. An animation gives its first frame. What no pixel needs may be wrong or missing: tRNS
+ * and palettes, compressed data behind the last pixel, the end. Every length and Huffman code is
+ * checked, and the checksum of every chunk that a picture needs; memory stays within what the
+ * file's size can decode to: from 16 million pixels on, one for each byte. `image` is overwritten,
+ * not freed; empty on an error. */
 bool png_decode(struct image *image, const void *data, size_t size, struct error *error);
 
 /* Write grey, RGB or RGBA, 8 bits a channel, with a row filter chosen for each row (none for

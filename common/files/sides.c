@@ -30,24 +30,9 @@ static struct side side_of(const struct model *model, uint32_t face, int i) {
     return a < b ? (struct side){a, b, face, false} : (struct side){b, a, face, true};
 }
 
-/* Sets of faces that are known to be wound alike. Each face is in two of them: by its number as it
- * is, and turned over by its number and that of all faces. A number leads to a smaller one of its
- * set, and the least to itself. */
-static size_t find_least(size_t *lower, size_t number) {
-    while (lower[number] != number) {
-        lower[number] = lower[lower[number]];
-        number = lower[number];
-    }
-    return number;
-}
-
-static void join(size_t *lower, size_t a, size_t b) {
-    size_t least = find_least(lower, a), other = find_least(lower, b);
-    lower[least > other ? least : other] = least < other ? least : other;
-}
-
-/* Neighbours go along their common side in opposite directions. Where three faces meet, none says
- * anything of another. */
+/* Faces that are known to be wound alike are a set. Each face is in two of them: by its number as
+ * it is, and turned over by its number and that of all faces. Neighbours go along their common side
+ * in opposite directions. Where three faces meet, none says anything of another. */
 static void join_neighbours(size_t *lower, size_t faces, const struct side *sides) {
     for (size_t begin = 0, end; begin < 3 * faces; begin = end) {
         const struct side *a = &sides[begin];
@@ -55,8 +40,8 @@ static void join_neighbours(size_t *lower, size_t faces, const struct side *side
         }
         if (end == begin + 2) {
             bool alike = a[0].falls != a[1].falls;
-            join(lower, a[0].face, alike ? a[1].face : a[1].face + faces);
-            join(lower, a[0].face + faces, alike ? a[1].face + faces : a[1].face);
+            sets_join(lower, a[0].face, alike ? a[1].face : a[1].face + faces);
+            sets_join(lower, a[0].face + faces, alike ? a[1].face + faces : a[1].face);
         }
     }
 }
@@ -79,7 +64,7 @@ static bool wind_alike(struct model *model) {
     }
     for (size_t i = 0; done && i < faces; i++) {
         struct corner *corner = model->faces[i].corner, second = corner[1];
-        if (find_least(lower, i) > find_least(lower, i + faces)) {
+        if (sets_find(lower, i) > sets_find(lower, i + faces)) {
             corner[1] = corner[2];
             corner[2] = second;
         }

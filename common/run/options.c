@@ -143,6 +143,13 @@ static bool parse_set(const char *text, void *field) {
     return known;
 }
 
+static bool parse_angle(const char *value, void *field) {
+    struct angle_option *angle = field;
+    angle->given = word_to_double((struct word){value, strlen(value)}, &angle->degrees) &&
+                   angle->degrees >= 0 && angle->degrees <= 180;
+    return angle->given;
+}
+
 /* Light without a direction makes every picture black. */
 static bool parse_light(const char *value, void *field) {
     struct vec3_option *light = field;
@@ -157,6 +164,7 @@ _Static_assert(DRAW_LIMIT == 16384, "the largest of SIZES");
 #define REPEATS ": 1 to 1000000"
 _Static_assert(REPEAT_LIMIT == 1000000, "the largest of REPEATS");
 #define FORMATS ": " IMAGE_FILE_NAMES
+#define ANGLES  ": 0 to 180"
 #define POINT   "three numbers X,Y,Z"
 
 /* What a program must have for an option to make sense: scenes that need it, or these. */
@@ -191,6 +199,10 @@ static const struct option {
     {"--two-sided", "", "", "draw the faces of the model from both sides", FIELD(two_sided),
      parse_switch, WITH_MODEL},
     {"--fit", "", "", "move and scale the model into view", FIELD(fit), parse_switch, WITH_MODEL},
+    {"--smooth", "A", "degrees" ANGLES,
+     "without normals in the file, edges sharper than A degrees are hard" ANGLES
+     ", by default 60 or as the file says",
+     FIELD(smooth), parse_angle, NEEDS_NORMALS | NEEDS_COLORS},
     {"--texture", "FILE", "a file", "the colours, instead of those next to the model",
      FIELD(textures[MODEL_DIFFUSE]), parse_path, NEEDS_DIFFUSE},
     {"--normal-map", "FILE", "a file", "the normals, too", FIELD(textures[MODEL_NORMAL_MAP]),

@@ -41,6 +41,11 @@ struct size_option {
     size_t width, height; /* 0 where none was given */
 };
 
+struct angle_option {
+    bool given;
+    double degrees;
+};
+
 struct pixel_option {
     bool given;
     struct pixel value;
@@ -56,6 +61,7 @@ struct options {
     const struct image_file_format *format;
     struct vec3_option eye, center, up, light;
     const char *textures[MODEL_TEXTURE_KINDS]; /* files; NULL for those next to the model */
+    struct angle_option smooth; /* of the hardest edge that is not hard: see normals.h */
     struct chosen_value set[VALUE_LIMIT];
     size_t set_count;
     int turns[3];  /* quarter turns of the model: see fit.h */

@@ -3,6 +3,7 @@
 
 #include "base/array.h"
 #include "files/model_file.h"
+#include "run/atlas.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -53,6 +54,8 @@ static bool sort_faces(struct model *model, const size_t *begins) {
     }
     done = done && reorder(model->faces, sizeof *model->faces, to, count) &&
            reorder(model->face_materials, sizeof *model->face_materials, to, count) &&
+           (model->face_groups == NULL ||
+            reorder(model->face_groups, sizeof *model->face_groups, to, count)) &&
            (model->face_colors == NULL ||
             reorder(model->face_colors, sizeof *model->face_colors, to, count));
     free(next);
@@ -73,15 +76,6 @@ static bool keep_picture(struct parts *parts, const struct picture *picture) {
     }
     parts->pictures[parts->picture_count++] = *picture;
     return true;
-}
-
-/* The colour by which a picture is multiplied, as materials mean it. Not by a grey one: exporters
- * write 0.64, 0.8 and even 0 with every picture, and mean nothing by it. */
-static void find_tint(const float color[3], float tint[3]) {
-    bool grey = color[0] == color[1] && color[1] == color[2];
-    for (int i = 0; i < 3; i++) {
-        tint[i] = grey ? 1 : color[i];
-    }
 }
 
 /* How steep the bumps of a map in tangent space are: its values along the surface over that away
@@ -276,6 +270,42 @@ static bool add_part(struct parts *parts, const struct model *model, const size_
     return true;
 }
 
+/* Does a picture cover the part, or do other maps need its coordinates? */
+static bool has_pictures(const struct parts *parts, const struct drawing_part *part) {
+    bool has = part->normal_map.level_count > 0 || part->specular.level_count > 0;
+    for (size_t i = 0; i < parts->picture_count; i++) {
+        const struct picture *picture = &parts->pictures[i];
+        has = has || (picture->path != NULL && picture->texture.texels == part->diffuse.texels);
+    }
+    return has;
+}
+
+/* Parts without a picture show the colours of their faces, where the model has any. */
+static bool paint_parts(struct parts *parts, struct model *model, struct error *error) {
+    uint8_t *painted = calloc(model->face_count + 1, 1);
+    bool done = painted != NULL, any = false;
+    for (size_t i = 0; done && i < parts->count; i++) {
+        const struct drawing_part *part = &parts->part[i];
+        if (!has_pictures(parts, part)) {
+            memset(painted + (part->model.faces - model->faces), 1, part->model.face_count);
+            any = true;
+        }
+    }
+    if (done && any && parts->atlas.level_count == 0) {
+        done = atlas_make(&parts->atlas, model, painted, error);
+    }
+    for (size_t i = 0; done && any && i < parts->count; i++) {
+        struct drawing_part *part = &parts->part[i];
+        part->model.uvs = model->uvs;
+        part->model.uv_count = model->uv_count;
+        if (painted[part->model.faces - model->faces]) {
+            part->diffuse = parts->atlas;
+        }
+    }
+    free(painted);
+    return done;
+}
+
 bool parts_make(struct parts *parts, struct model *model, struct error *missing,
                 struct error *error) {
     size_t slots = model->material_count + 1;
@@ -290,6 +320,9 @@ bool parts_make(struct parts *parts, struct model *model, struct error *missing,
     }
     for (size_t slot = 0; done && slot < slots; slot++) {
         done = add_part(parts, model, begins, slot, missing);
+    }
+    if (done && model_has_colors(model)) {
+        done = paint_parts(parts, model, error);
     }
     if (done && parts->count == 0) { /* all are hidden */
         done = find_picture(parts, NULL, white, NULL, &parts->part[0].diffuse, error);
@@ -343,6 +376,7 @@ void parts_free(struct parts *parts) {
     for (size_t i = 0; i < parts->picture_count; i++) {
         texture_free(&parts->pictures[i].texture);
     }
+    texture_free(&parts->atlas);
     free(parts->pictures);
     free(parts->part);
     *parts = (struct parts){0};

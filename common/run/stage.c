@@ -6,6 +6,7 @@
 #include "files/model_file.h"
 #include "files/normals.h"
 #include "files/sides.h"
+#include "run/atlas.h"
 
 #include <assert.h>
 #include <stdarg.h>
@@ -163,6 +164,8 @@ static bool place_model(const struct run *run, struct model *model, bool need_no
                         struct error *error) {
     const struct options *options = &run->options;
     const int *turns = options->turns;
+    model->hard_given = options->smooth.given;
+    model->hard_degrees = options->smooth.degrees;
     if (turns[0] != 0 || turns[1] != 0 || turns[2] != 0) {
         model_turn(model, turns);
     }
@@ -210,6 +213,7 @@ static bool load_models(struct run *run, const struct scene *scene, struct error
         done = model_read_parts(&run->model[i], options->input[i], parts, error);
     }
     memcpy(run->model->texture_files, options->textures, sizeof options->textures);
+    run->has_places = run->model->uv_count > 0;
     run->has_materials = (needs & NEEDS_DIFFUSE) != 0 && options->textures[MODEL_DIFFUSE] == NULL &&
                          model_has_materials(run->model);
     done = done && (!run->has_materials || parts_move_coordinates(run->model, error));
@@ -228,12 +232,28 @@ static bool make_texel(struct texture *texture, uint8_t level, struct error *err
 
 enum { SHINY = 64 }; /* the level of a specular map: a power of 16, as lesson 10 reads it */
 
+/* Is the model drawn in its own colours, since it has no picture? Not where other maps need its
+ * coordinates. */
+static bool shows_own_colors(const struct run *run) {
+    bool maps = false, found;
+    for (int kind = MODEL_NORMAL_MAP; run->has_places && kind < MODEL_TEXTURE_KINDS; kind++) {
+        free(model_find_texture(run->model, (enum model_texture_kind)kind, &found));
+        maps = maps || found;
+    }
+    return model_has_colors(run->model) && !maps;
+}
+
 /* What is drawn instead of a missing texture: NULL for a normal map. */
 static bool replace_texture(struct run *run, enum model_texture_kind kind,
                             const struct texture **texture, struct error *error) {
     if (kind == MODEL_NORMAL_MAP) {
         *texture = NULL;
         return model_need_normals(run->model, error);
+    }
+    if (kind == MODEL_DIFFUSE && shows_own_colors(run)) {
+        *texture = &run->parts.atlas;
+        return run->parts.atlas.level_count > 0 ||
+               atlas_make(&run->parts.atlas, run->model, NULL, error);
     }
     struct texture *instead = kind == MODEL_DIFFUSE ? &run->white : &run->shiny;
     *texture = instead;
@@ -250,6 +270,11 @@ static const struct {
     [MODEL_SPECULAR] = {NEEDS_SPECULAR, "the same shine everywhere", "--specular"},
 };
 
+static const char *instead_of(const struct run *run, enum model_texture_kind kind) {
+    return kind == MODEL_DIFFUSE && shows_own_colors(run) ? "its own colours"
+                                                          : replacements[kind].instead;
+}
+
 /* Say in one message which of the textures that the scenes need are not there. */
 static bool note_missing(struct run *run, unsigned needs, struct error *error) {
     char names[200] = "", instead[200] = "", options[200] = "";
@@ -263,7 +288,8 @@ static bool note_missing(struct run *run, unsigned needs, struct error *error) {
         if (!found && (needs & replacements[kind].need) != 0 && !run->is_replaced[kind]) {
             const char *slash = strrchr(path, '/'), *comma = note == NULL ? "" : ", ";
             string_append(names, sizeof names, "%s%s", comma, slash == NULL ? path : slash + 1);
-            string_append(instead, sizeof instead, "%s%s", comma, replacements[kind].instead);
+            string_append(instead, sizeof instead, "%s%s", comma,
+                          instead_of(run, (enum model_texture_kind)kind));
             string_append(options, sizeof options, "%s%s", comma, replacements[kind].option);
             note = note == NULL ? &run->replaced[kind] : note;
             run->is_replaced[kind] = true;
@@ -271,11 +297,9 @@ static bool note_missing(struct run *run, unsigned needs, struct error *error) {
         free(path);
     }
     if (note != NULL) {
-        size_t *unsaid = &run->model->warning_line[MODEL_MATERIALS_MISSING];
-        error_set(note, "no %s%s next to it, nor other usual names; %s instead (%s)",
-                  *unsaid > 0 ? "file of materials, " : "", names, instead, options);
+        error_set(note, "no %s next to it, nor other usual names; %s instead (%s)", names, instead,
+                  options);
         error_name_input(note, run->model->path);
-        *unsaid = 0;
     }
     return true;
 }
@@ -287,7 +311,7 @@ static bool load_texture(struct run *run, unsigned needs, enum model_texture_kin
     if ((needs & replacements[kind].need) == 0) {
         return true;
     }
-    if (run->model->uv_count == 0 && run->options.textures[kind] != NULL) {
+    if (!run->has_places && run->options.textures[kind] != NULL) {
         error_set(error, "has no texture coordinates, without which %s cannot be drawn",
                   run->options.textures[kind]);
         return error_name_input(error, run->model->path);
@@ -295,15 +319,14 @@ static bool load_texture(struct run *run, unsigned needs, enum model_texture_kin
     if (run->has_materials && kind == MODEL_DIFFUSE) {
         return true; /* take_parts() gives it */
     }
-    bool has_places = run->model->uv_count > 0;
-    if (has_places && !run->has_materials && !note_missing(run, needs | run->needs, error)) {
+    if (run->has_places && !run->has_materials && !note_missing(run, needs | run->needs, error)) {
         return false;
     }
     bool found = true;
-    if (has_places && run->has_materials) { /* what they do not name is no loss */
+    if (run->has_places && run->has_materials) { /* what they do not name is no loss */
         free(model_find_texture(run->model, kind, &found));
     }
-    if (!has_places || !found || run->is_replaced[kind]) {
+    if (!run->has_places || !found || run->is_replaced[kind]) {
         return replace_texture(run, kind, texture, error);
     }
     *texture = model_texture(run->model, kind, error);
@@ -317,8 +340,8 @@ static bool load_texture(struct run *run, unsigned needs, enum model_texture_kin
     if (*texture != NULL || run->options.textures[kind] != NULL) {
         return *texture != NULL;
     }
-    error_set(&run->replaced[kind], "%s; %s instead (%s)", error->message,
-              replacements[kind].instead, replacements[kind].option);
+    error_set(&run->replaced[kind], "%s; %s instead (%s)", error->message, instead_of(run, kind),
+              replacements[kind].option);
     run->is_replaced[kind] = true;
     return replace_texture(run, kind, texture, error);
 }
@@ -332,9 +355,8 @@ static bool take_parts(struct run *run, unsigned needs, struct drawing *drawing,
                        struct error *error) {
     const struct options *options = &run->options;
     if (!run->has_materials) {
-        drawing->repeats = run->model->uv_count == 0
-                               ? 1
-                               : parts_repeats(run->model, run->model, options->two_sided);
+        drawing->repeats =
+            !run->has_places ? 1 : parts_repeats(run->model, run->model, options->two_sided);
         return true;
     }
     run->parts.two_sided = options->two_sided;

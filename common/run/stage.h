@@ -28,6 +28,7 @@ struct run {
     unsigned model_parts;        /* what of it is loaded, of enum model_part */
     struct loaded unloaded;      /* of models that made room for others */
     bool has_materials;          /* the model has, and is drawn by them, part for part */
+    bool has_places;             /* its corners have places in pictures */
     struct parts parts;          /* as the last scene had them */
     struct texture white, shiny; /* of one texel, for a model without textures; empty at first */
     /* Textures that the model has not, or that cannot be read: why, and what is drawn instead. The

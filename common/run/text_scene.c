@@ -191,6 +191,12 @@ bool text_scene_read(struct text_scene *scene, const char *path, enum text_scene
         return false;
     }
     bool done = text_scene_decode(scene, bytes.data, bytes.size, kind, error);
+    const char *dot = strrchr(path, '.');
+    struct word ending = {dot, dot == NULL ? 0 : strlen(dot)};
+    if (!done && (word_matches(ending, ".obj") || word_matches(ending, ".off"))) {
+        error_set(error, "a model, but this lesson draws text scenes; try --help");
+        error->line = 0;
+    }
     bytes_free(&bytes);
     return done || error_name_input(error, path);
 }

@@ -104,6 +104,9 @@ static const struct kind kinds[] = {
     {"24 bits", 2, 24, 0, 0, IMAGE_BGR},
     {"24 bits that claim one of attributes", 2, 24, 0, 1, IMAGE_BGR},
     {"24 bits with a colour map to skip", 2, 24, 9, 0, IMAGE_BGR},
+    {"map of 24 bits, indices of 16", 1, 16, 24, 0, IMAGE_BGR},
+    {"map of 32 bits, indices of 16", 1, 16, 32, 8, IMAGE_BGRA},
+    {"map of 15 bits, indices of 16", 1, 16, 15, 0, IMAGE_BGR},
     {"32 bits", 2, 32, 0, 8, IMAGE_BGRA},
     {"grey", 3, 8, 0, 0, IMAGE_GREY},
     {"grey with a colour map to skip", 3, 8, 24, 0, IMAGE_GREY},
@@ -194,6 +197,9 @@ static void put_tga(struct bytes *file, const struct kind *kind, struct layout l
                 expected[done + i] = expected[done];
             } else if (mapped) {
                 put(file, MAP_FIRST + number % MAP_LENGTH);
+                if (kind->depth == 16) {
+                    put(file, 0);
+                }
                 expected[done + i] = map[number % MAP_LENGTH];
             } else if (kind->type == 3 && kind->depth == 16) {
                 put_16(file, number & 0xffff);
@@ -283,8 +289,8 @@ static void test_lying_tga(void) {
         {"type 12", "type 12", "\0\0\14\0\0\0\0\0\0\0\0\0\1\0\1\0\10\0\11", 19},
         {"grey of 24 bits", "grey pixels of 24 bits",
          "\0\0\3\0\0\0\0\0\0\0\0\0\1\0\1\0\30\0\11\11\11", 21},
-        {"indexes of 16 bits", "colour-mapped pixels of 16 bits",
-         "\0\1\1\0\0\1\0\30\0\0\0\0\1\0\1\0\20\0\1\2\3\0\0", 23},
+        {"indexes of 24 bits", "colour-mapped pixels of 24 bits",
+         "\0\1\1\0\0\1\0\30\0\0\0\0\1\0\1\0\30\0\1\2\3\0\0\0", 24},
         {"colour of 8 bits", "true-colour pixels of 8 bits",
          "\0\0\2\0\0\0\0\0\0\0\0\0\1\0\1\0\10\0\11", 19},
         {"mapped without a map", "without a colour map", "\0\0\1\0\0\0\0\30\0\0\0\0\1\0\1\0\10\0\0",
@@ -340,6 +346,64 @@ static void test_colors_without_map(void) {
         }
         image_free(&image);
     }
+}
+
+/* The high byte of an index of 16 bits counts. */
+static void test_many_colors(void) {
+    enum { COLORS = 1000 };
+    struct bytes file = {0};
+    struct image image;
+    struct error error;
+    CHECK(bytes_append(&file, "\0\1\1\0\0\350\3\30\0\0\0\0\350\3\1\0\20\0", 18));
+    for (unsigned i = 0; i < COLORS; i++) {
+        put_16(&file, i);
+        put(&file, 7);
+    }
+    for (unsigned i = 0; i < COLORS; i++) {
+        put_16(&file, COLORS - 1 - i);
+    }
+    if (CHECK(decode_exact(tga_decode, &image, file.data, file.size, &error))) {
+        for (unsigned i = 0; i < COLORS; i++) {
+            struct color c = image_get(&image, (int)i, 0);
+            CHECK(c.b + 256u * c.g == COLORS - 1 - i && c.r == 7);
+        }
+    }
+    image_free(&image);
+    bytes_free(&file);
+}
+
+/* Up to 8192 x 8192 pixels any file may have; more need a byte for every 16. */
+static void test_check_size(void) {
+    static const struct {
+        size_t width, height, bytes;
+        bool right;
+    } rows[] = {
+        {1, 1, 0, true},
+        {8192, 8192, 0, true},
+        {8192, 8193, 4194815, false},
+        {8192, 8193, 4194816, true},
+        {30000, 30000, 875000, false},
+        {65535, 65535, 268427263, false},
+        {65535, 65535, 268427264, true},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        struct error error;
+        CHECK(image_check_size(rows[i].width, rows[i].height, rows[i].bytes, &error) ==
+              rows[i].right);
+        CHECK(rows[i].right || strstr(error.message, "need a byte for every 16") != NULL);
+    }
+    /* 16384 x 16384 pixels in the fewest packets: a byte for 64. */
+    struct bytes file = {0};
+    struct image image;
+    struct error error;
+    CHECK(bytes_append(&file, "\0\0\13\0\0\0\0\0\0\0\0\0\0\100\0\100\10\0", 18));
+    for (int i = 0; i < 16384 * 128; i++) {
+        put(&file, 255);
+        put(&file, 9);
+    }
+    CHECK(!tga_decode(&image, file.data, file.size, &error) && image.pixels == NULL);
+    CHECK(strstr(error.message, "16384x16384 pixels in 4194304 bytes") != NULL);
+    bytes_free(&file);
 }
 
 /* ---- TGA out ---- */
@@ -437,4 +501,5 @@ static void test_tga_packs(void) {
 
 UNIT_MAIN(TEST(test_create), TEST(test_get_and_set), TEST(test_every_kind_of_tga),
           TEST(test_cut_off_tga), TEST(test_lying_tga), TEST(test_colors_without_map),
-          TEST(test_tga_round_trip), TEST(test_tga_packs))
+          TEST(test_many_colors), TEST(test_check_size), TEST(test_tga_round_trip),
+          TEST(test_tga_packs))

@@ -60,6 +60,9 @@ static void test_lines(void) {
         {"continued with CRLF and CR", "a\\\r\nb\\\rc\r\nd", 0, true, "1:a|b|c 4:d"},
         {"continued twice over an empty line", "a \\\n \\\n b\nc", 0, true, "1:a|b 4:c"},
         {"continued at the end", "a\\", 0, true, "1:a"},
+        {"continued over blanks", "a \\ \t\r\nb\\ ", 0, true, "1:a|b"},
+        {"not continued over blanks", "a\\ \nb", 0, false, "1:a\\ 2:b"},
+        {"zero bytes at the end", "a\nb\0\0", 5, true, "1:a 2:b"},
         {"backslash inside", "a\\b \\ c", 0, true, "1:a\\b|\\|c"},
         {"not continued", "a\\\nb", 0, false, "1:a\\ 2:b"},
         {"comment is not continued", "# c:\\\na", 0, true, "1: 2:a"},
@@ -79,7 +82,7 @@ static void test_lines(void) {
 
 /* Going to the next line passes over words that were not asked for, and over joined lines. */
 static void test_skipped_lines(void) {
-    static const char data[] = "g a b \\\n c # d\nf 1 2 # \\\nv\n";
+    static const char data[] = "g a b \\ \n c # d\nf 1 2 # \\\nv\n";
     struct text text;
     struct error error;
     CHECK(text_begin(&text, data, sizeof data - 1, true, &error));
@@ -90,7 +93,9 @@ static void test_skipped_lines(void) {
     CHECK(word_is(text_next_word(&text), "v"));
     CHECK(!text_next_line(&text));
     CHECK(!text_next_line(&text));
-    CHECK(!text_begin(&text, "", 1, true, &error));
+    CHECK(!text_begin(&text, "\0 ", 2, true, &error));
+    CHECK(text_begin(&text, "v\0\0", 3, true, &error) && text.end == text.next + 1);
+    CHECK(text_begin(&text, "", 1, true, &error) && !text_next_line(&text));
     CHECK(text_begin(&text, NULL, 0, true, &error) && !text_next_line(&text));
     CHECK(text_next_word(&text).length == 0);
 }
@@ -165,6 +170,10 @@ static void test_integers(void) {
         {"1.0", false, 0},
         {"1e3", false, 0},
         {"0x10", false, 0},
+        {":", false, 0}, /* the characters next to the digits */
+        {"1:", false, 0},
+        {"/", false, 0},
+        {"1/", false, 0},
         {"1 ", false, 0},
         {"\xD9\xA1", false, 0}, /* an Arabic digit */
     };
@@ -275,9 +284,11 @@ static void test_long_numbers(void) {
 
 static void test_refused_numbers(void) {
     static const char *const strings[] = {
-        "",    ".",   "-",   "+",    "e5",   ".e5", "1e",  "1e+",   "1e-",     "1.2.3",
-        "1,5", "nan", "NaN", "inf",  "-inf", "INF", "1f",  "0x1p3", "1e5.5",   "--1",
-        "+-1", "1-",  "1d5", "1e5e", "1 ",   " 1",  "1_0", "1e--",  "infinity"};
+        "",      ".",        "-",    "+",    "e5",    ".e5",  "1e",    "1e+",    "1e-",
+        "1.2.3", "1,5",      "nan",  "NaN",  "inf",   "-inf", "INF",   "1f",     "0x1p3",
+        "1e5.5", "--1",      "+-1",  "1-",   "1d5",   "1e5e", "1 ",    " 1",     "1_0",
+        "1e--",  "infinity", ":",    "/",    "1:",    "1/",   "1.:",   "1./",    "1e:",
+        "1e/",   "1e1:",     "1e1/", "123:", "1234:", "123/", "1234/", "12345:", "12345/"};
     for (size_t i = 0; i < sizeof strings / sizeof strings[0]; i++) {
         double d;
         CHECK_ROW(!word_to_double(word_of(strings[i]), &d), strings[i]);

@@ -9,6 +9,38 @@
 #include <stdlib.h>
 #include <time.h>
 
+/* Calls of these come here (--wrap of GNU ld): a loop begins and ends under the lock, or a thread
+ * that goes to sleep just then may miss it. */
+static _Thread_local int locks;
+static atomic_bool unlocked;
+
+int __real_pthread_mutex_lock(pthread_mutex_t *mutex);
+int __real_pthread_mutex_unlock(pthread_mutex_t *mutex);
+int __real_pthread_cond_broadcast(pthread_cond_t *condition);
+int __wrap_pthread_mutex_lock(pthread_mutex_t *mutex);
+int __wrap_pthread_mutex_unlock(pthread_mutex_t *mutex);
+int __wrap_pthread_cond_broadcast(pthread_cond_t *condition);
+
+int __wrap_pthread_mutex_lock(pthread_mutex_t *mutex) {
+    locks++;
+    return __real_pthread_mutex_lock(mutex);
+}
+
+int __wrap_pthread_mutex_unlock(pthread_mutex_t *mutex) {
+    unlocked = unlocked || locks != 1;
+    locks--;
+    return __real_pthread_mutex_unlock(mutex);
+}
+
+int __wrap_pthread_cond_broadcast(pthread_cond_t *condition) {
+    unlocked = unlocked || locks != 1;
+    return __real_pthread_cond_broadcast(condition);
+}
+
+static void test_locks(void) {
+    CHECK(!unlocked && locks == 0); /* in all tests above */
+}
+
 enum { PART_LIMIT = 1000, WORKER_LIMIT = 256 };
 
 struct tally {
@@ -173,4 +205,4 @@ static void test_signals(void) {
 }
 
 UNIT_MAIN(TEST(test_each_part_once), TEST(test_slow_thread), TEST(test_shares), TEST(test_alone),
-          TEST(test_signals))
+          TEST(test_signals), TEST(test_locks))

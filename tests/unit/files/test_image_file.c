@@ -34,8 +34,11 @@ static void test_signature_decides(void) {
     place_remove(&place, "a.png,a.tga,a");
 }
 
-#define CONVERT "not a PNG or TGA file: `magick FILE NEW.png` converts it"
-#define NEITHER "neither a PNG nor a TGA of a type that is supported"
+#define KINDS   "not a PNG, TGA or PPM file: "
+#define CONVERT KINDS "`mogrify -format png %s` makes PNG files, which are drawn then"
+#define DAMAGED                                                                                    \
+    "a PNG file damaged by a transfer as text, " KINDS "fetch it again, as bytes and not as text"
+#define NEITHER "neither a PNG or PPM nor a TGA of a type that is supported"
 
 /* What is neither, and what is one of the two with a fault. */
 static void test_wrong_files(void) {
@@ -54,10 +57,16 @@ static void test_wrong_files(void) {
         {"BMP", "BM\x3a\0\0\0\0\0\0\0\x36\0\0\0", 14, "a BMP file, " CONVERT},
         {"TIFF", "II*\0\x8\0\0\0", 8, "a TIFF file, " CONVERT},
         {"Git LFS", "version https://git-lfs.github.com/spec/v1\n", 43,
-         "a Git LFS pointer, not a PNG or TGA file: `git lfs pull` fetches the file itself"},
-        {"page", "<!DOCTYPE html>", 15,
-         "an HTML page, not a PNG or TGA file: download the file itself"},
-        {"PNG after a change of line ends", "\x89PNG\n\x1a\n\0\0\0\rIHDR\0\0\0\1", 20, NEITHER},
+         "a Git LFS pointer, " KINDS "`git lfs pull` fetches the file itself"},
+        {"page", "<!DOCTYPE html>", 15, "an HTML page, " KINDS "download the file itself"},
+        {"PNG after a change of line ends", "\x89PNG\n\x1a\n\0\0\0\rIHDR\0\0\0\1", 20, DAMAGED},
+        {"the same to those of Windows", "\x89PNG\r\r\n\x1a\r\n\0\0\0\rIHDR", 17, DAMAGED},
+        {"PNG through 7 bits", "\tPNG\r\n\x1a\n\0\0\0\rIHDR", 16, DAMAGED},
+        {"PNG as UTF-8", "\xEF\xBF\xBDPNG\r\n\x1a\n\0\0\0\rIHDR", 18, DAMAGED},
+        {"PBM", "P4\n8 1\n\1", 8, "a bitmap of Netpbm, " CONVERT},
+        {"PBM as text", "P1\n1 1\n0", 8, "a bitmap of Netpbm, " CONVERT},
+        {"PAM", "P7\nWIDTH 1\n", 11, "a PAM file, " CONVERT},
+        {"PFM", "PF\n1 1\n-1\n", 10, "a PFM file, " CONVERT},
         {"TGA of type 0", "\0\0\0\0\0\0\0\0\0\0\0\0\1\0\1\0\10\0\7", 19, NEITHER},
         {"TGA of type 4", "\0\0\4\0\0\0\0\0\0\0\0\0\1\0\1\0\10\0\7", 19, NEITHER},
         {"colour map of type 2", "\0\2\3\0\0\0\0\0\0\0\0\0\1\0\1\0\10\0\7", 19, NEITHER},
@@ -70,15 +79,17 @@ static void test_wrong_files(void) {
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
         struct image image = {.width = 7};
         struct error error = {0};
-        char expected[200];
+        char message[200], expected[300];
+        snprintf(message, sizeof message, rows[i].message, "FILE");
         CHECK_ROW(!image_decode(&image, rows[i].bytes, rows[i].size, &error), rows[i].name);
         CHECK_ROW(image.pixels == NULL && image.width == 0, rows[i].name);
-        CHECK_TEXT(error.message, rows[i].message);
+        CHECK_TEXT(error.message, message);
         CHECK(file_write(place.path, rows[i].bytes, rows[i].size, &error));
         image.width = 7;
         CHECK_ROW(!image_read(&image, place.path, &error), rows[i].name);
         CHECK_ROW(image.pixels == NULL && image.width == 0, rows[i].name);
-        snprintf(expected, sizeof expected, "%s: %s", place.path, rows[i].message);
+        snprintf(expected, sizeof expected, "%s: ", place.path);
+        snprintf(expected + strlen(expected), 200, rows[i].message, place.path);
         CHECK_TEXT(error.message, expected);
     }
     struct image image = {.width = 7};
@@ -174,5 +185,57 @@ static void test_ppm(void) {
     }
 }
 
+/* Numbers or bytes, of one byte or two: two pixels, in hexadecimal, or what the message says. */
+static void test_ppm_in(void) {
+    static const struct {
+        const char *file;
+        size_t size; /* 0: the string's length */
+        const char *pixels, *message;
+    } rows[] = {
+        {"P6\n2 1\n255\nabcdef", 0, "616263 646566", NULL},
+        {"P6 2 1 255 abcdefgh", 0, "616263 646566", NULL},
+        {"P5\n# made by hand\n1 2 # size\n255\n\1\2", 0, "020202 010101", NULL},
+        {"P5\n2 1\n65535\n\x80\0\xff\xff", 18, "808080 FFFFFF", NULL},
+        {"P5\n2 1\n256\n\1\0\0\x80", 16, "FFFFFF 808080", NULL},
+        {"P5\n2 1\n15\n\17\20", 0, "FFFFFF FFFFFF", NULL}, /* too large, so the greatest */
+        {"P3\n2 1\n255\n1 2 3\n4 5 6", 0, "010203 040506", NULL},
+        {"P3\n2 1\n7\n7 0 0 # red\n0 7 0\n", 0, "FF0000 00FF00", NULL},
+        {"P2 2 1 1 0 1", 0, "000000 FFFFFF", NULL},
+        {"P2\r\n2\t1\r\n1\r\n0\r\n1\r\n", 0, "000000 FFFFFF", NULL},
+        {"P6\n2 1\n255\nabcde", 0, NULL, "a PPM cut off: 2x1 pixels do not fit"},
+        {"P6\n2 1\n255", 0, NULL, "a PPM without a width"},
+        {"P6\n2 1\n0\nabcdef", 0, NULL, "a PPM without a width"},
+        {"P6\n2 1\n65536\nabcdefabcdef", 0, NULL, "a PPM without a width"},
+        {"P6\n-2 1\n255\nabcdef", 0, NULL, "a PPM without a width"},
+        {"P6\n99999999999999999999 1\n255\nabc", 0, NULL, "a PPM without a width"},
+        {"P6\n65535 65535\n255\nabc", 0, NULL, "a PPM cut off: 65535x65535"},
+        {"P6\n0 1\n255\nabc", 0, NULL, "0x1 pixels"},
+        {"P2\n2 1\n255\n1 ", 0, NULL, "a PPM cut off"},
+        {"P2\n2 1\n255\n10 ", 0, NULL, "samples are no numbers"},
+        {"P2\n2 1\n255\n1 x", 0, NULL, "samples are no numbers"},
+        {"P2\n2 1\n255\n1 65536", 0, NULL, "samples are no numbers"},
+        {"P3#", 0, NULL, "a PPM without a width"},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        size_t size = rows[i].size > 0 ? rows[i].size : strlen(rows[i].file);
+        struct image image;
+        struct error error;
+        char pixels[40] = "";
+        bool done = decode_exact(image_decode, &image, (const uint8_t *)rows[i].file, size, &error);
+        if (!CHECK_ROW(done == (rows[i].message == NULL), rows[i].file) || !done) {
+            CHECK_ROW(done || strstr(error.message, rows[i].message) != NULL, error.message);
+            image_free(&image);
+            continue;
+        }
+        for (int k = 0; k < 2; k++) {
+            struct color c = image_get(&image, image.width > 1 ? k : 0, image.width > 1 ? 0 : k);
+            snprintf(pixels + strlen(pixels), 10, "%s%02X%02X%02X", k > 0 ? " " : "", c.r, c.g,
+                     c.b);
+        }
+        CHECK_ROW(CHECK_TEXT(pixels, rows[i].pixels), rows[i].file);
+        image_free(&image);
+    }
+}
+
 UNIT_MAIN(TEST(test_signature_decides), TEST(test_wrong_files), TEST(test_find), TEST(test_writers),
-          TEST(test_ppm))
+          TEST(test_ppm), TEST(test_ppm_in))

@@ -15,9 +15,13 @@
  * lines of warnings. */
 static void describe(const struct model *model, char *out, size_t room) {
     static const char *const warnings[MODEL_WARNINGS] = {
-        [MODEL_SHORT_FACES] = "short face",         [MODEL_UVS_MISSING] = "no uv",
-        [MODEL_NORMALS_MISSING] = "no normal",      [MODEL_NORMALS_WRONG] = "wrong normal",
-        [MODEL_MATERIALS_MISSING] = "no materials", [MODEL_GLASSY] = "glass",
+        [MODEL_SHORT_FACES] = "short face",
+        [MODEL_UVS_MISSING] = "no uv",
+        [MODEL_NORMALS_MISSING] = "no normal",
+        [MODEL_NORMALS_WRONG] = "wrong normal",
+        [MODEL_LIBRARY_MISSING] = "no library",
+        [MODEL_MATERIAL_MISSING] = "no material",
+        [MODEL_GLASSY] = "glass",
     };
     size_t used = 0;
     out[0] = '\0';
@@ -40,6 +44,7 @@ static void describe(const struct model *model, char *out, size_t room) {
     }
 }
 
+#define THREE    "0 0 0\n1 0 0\n1 1 0\n"
 #define CORNERS  "vt 0 0\nvt 1 0\nvt 1 1\nvn 0 0 1\nvn 0 1 0\n"
 #define TRIANGLE "0/-/-,1/-/-,2/-/-"
 
@@ -105,6 +110,12 @@ static void test_obj(void) {
         {SQUARE "f\nf 1 2 3\n", TRIANGLE " 5: short face"},
         {SQUARE "vt nan nan\nf 1 2 3/1", "0/-/-,1/-/-,2/0/-"},
         {"OFF 1 1 0 0 0 0 .5 0 0\n3 0 0 0\n", "0/-/-,0/-/-,0/-/-"}, /* a vertex with a colour */
+        {"V 0 0 0\nV 1 0 0\nV 1 1 0\nVT 0 0\nVN 0 0 1\nF 1/1/1 2/1/1 3/1/1\n", "0/0/0,1/0/0,2/0/0"},
+        {SQUARE "f 1 2 \\ \t\n3\n", TRIANGLE},
+        {SQUARE "fo 1 2 3\n", TRIANGLE}, /* as old files have it */
+        {"v nan 0 0\nv 0 1e39 0\n" SQUARE "f 3 4 5\nf 3 4 5 6\n",
+         "2/-/-,3/-/-,4/-/- 2/-/-,3/-/-,4/-/- 2/-/-,4/-/-,5/-/-"},
+        {"OFF\n4 1 0\n" THREE "0 nan 0\n3 0 1 2\n", TRIANGLE},
         {SQUARE "vt 1 0 0 1\nvn 0 0 1 0\nf 1 2/1/1 3\n", "0/-/-,1/0/0,2/-/-"},
     };
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
@@ -140,7 +151,7 @@ static bool at(const struct model *model, size_t position, double x, double y, d
 
 static void test_obj_numbers(void) {
     static const char text[] =
-        "v 1 -2 .5\nv 1e2 5. -1E-2 7\nv 0.1 0.2 0.3 0.25 -1 1.5\n"
+        "v 1 -2 .5\nv 1e2 5. -1E-2 2\nv 0.1 0.2 0.3 0.25 -1 1.5\n"
         "v 16777217 1e-30 -0\nvt 0.5\nvt 2 -3\nvt 1 2 3\nvt nan inf\nvn 0 3 4\n"
         "f 1 2 3\n";
     struct model m;
@@ -148,7 +159,7 @@ static void test_obj_numbers(void) {
         return;
     }
     CHECK(m.position_count == 4 && m.uv_count == 4 && m.normal_count == 1 && m.face_count == 1);
-    CHECK(at(&m, 0, 1, -2, 0.5) && at(&m, 1, 100, 5, -0.01) && at(&m, 2, 0.1, 0.2, 0.3));
+    CHECK(at(&m, 0, 1, -2, 0.5) && at(&m, 1, 50, 2.5, -0.005) && at(&m, 2, 0.1, 0.2, 0.3));
     CHECK(at(&m, 3, 16777217, 1e-30, 0)); /* the first is no float */
     CHECK(m.uvs[0][0] == 0.5F && m.uvs[0][1] == 0 && m.uvs[1][0] == 2 && m.uvs[1][1] == -3 &&
           m.uvs[2][1] == 2 && m.uvs[3][0] == 0 && m.uvs[3][1] == 0);
@@ -165,8 +176,6 @@ static void test_obj_numbers(void) {
     CHECK(decode_right(&m, SQUARE "v 1 2 3 4\nv 1 2 3 4 5\nf 1 2 3\n") && m.colors == NULL);
     model_free(&m);
 }
-
-#define THREE "0 0 0\n1 0 0\n1 1 0\n"
 
 /* Colour, normal and texture coordinates of the first position are the same in all rows. */
 static void test_off(void) {
@@ -384,15 +393,30 @@ static void test_messages(void) {
         {SQUARE "vn 1 2\nf 1 2 3\n", "5: 'vn' takes 3 or more numbers, not 2"},
         {"\nf 3 1 x\n" SQUARE, "2: face corner 'x' is none of v, v/vt, v//vn, v/vt/vn"},
         {"v 0 0 0\nf -1 -1 -2\n" SQUARE, "2: face names vertex -2 of 1"},
-        {SQUARE "f 1 2 +4\nf 1 2 x\nv 0 0 nan\n", /* nothing makes it read ahead */
+        {SQUARE "f 1 2 +4\nf 1 2 x\nv 0 0 x\n", /* nothing makes it read ahead */
          "6: face corner 'x' is none of v, v/vt, v//vn, v/vt/vn"},
         {SQUARE "f 1 2 /3\n", "5: face corner '/3' is none of v, v/vt, v//vn, v/vt/vn"},
         {SQUARE "f 1 \\\n 2 \\\n 9\n", "5: face names vertex 9 of 4"},
         {"v 1 2\n", "1: 'v' takes 3 or more numbers, not 2"},
         {"\nvt\n", "2: 'vt' takes 1 or more numbers, not 0"},
-        {"v 1 2 nan\n", "1: 'nan' is not a number"},
-        {"v 1 2 1e39\n", "1: 1e39 is too large"},
+        {"v 0 0 1\nv 1 2 nan\nf 1 1 2\n", "3: vertex 2 is not a number, or too large"},
+        {"f 2 1 1\nv 0 0 1\nv 1e39 2 0\n", "1: vertex 2 is not a number, or too large"},
+        {SQUARE "v 0 -1e39 0\nf 1 2 3 5\n", "6: vertex 5 is not a number, or too large"},
+        {SQUARE "v 0 0 inf\nf 1 5 3\n", "6: vertex 5 is not a number, or too large"},
+        {"v 1 2 3 1e-320\nf 1 1 1\n", "2: vertex 1 is not a number, or too large"},
         {"v 1 2 \x1b[31m\n", "1: '?[31m' is not a number"},
+        {SQUARE "cstype bezier\ndeg 3\ncurv 0 1 1 2 3 4\nend\n",
+         "5: curves or surfaces and no faces: export polygons"},
+        {SQUARE "surf 0 1 0 1 1 2 3 4\n", "5: curves or surfaces and no faces: export polygons"},
+        {SQUARE "p 1\np 2\n", "5: points and no faces, which no lesson draws"},
+        {"f 1 2 :\n" SQUARE, "1: face corner ':' is none of v, v/vt, v//vn, v/vt/vn"},
+        {"I\n800\nOBJ\n\nVT 0 0 0 0 1 0 0 0\n",
+         "an OBJ file of X-Plane, which is another format, not an OBJ or OFF file" EXPORT},
+        {"A\r\n800\r\nOBJ\r\n",
+         "an OBJ file of X-Plane, which is another format, not an OBJ or OFF file" EXPORT},
+        {"OFF\n4 1 0\n" THREE "4 0 1 2 3\n", "6: a face where vertex 4 of 4 is expected"},
+        {"OFF\n4 2 0\n" THREE "3 0 1 2 \n\n3 0 2 3\n", "6: a face where vertex 4 of 4 is expected"},
+        {"OFF\n4 1 0\n" THREE "4 0 1 2 4\n", "6: face names vertex 4 of 4 (from 0)"},
         {"OFF", "1: the numbers of vertices and faces are missing"},
         {"OFF\n\n", "2: the numbers of vertices and faces are missing"},
         {"OFF\n3\n", "2: the number of faces is missing"},
@@ -422,7 +446,7 @@ static void test_messages(void) {
         {"COFF\n1 1 0\n0 0 0 1 1\n", "3: the file ends after 0 of 1 vertices"},
         {"OFF 1 1 x\n0 0 0\n3 0 0 0\n", "1: 'x' is not a number of edges"},
         {"OFF 1\n1\nx\n0 0 0\n3 0 0 0\n", "3: 'x' is not a number of edges"},
-        {"OFF\n1 1 0\n0 nan 0\n3 0 0 0\n", "3: 'nan' is not a number"},
+        {"OFF\n1 1 0\n0 nan 0\n3 0 0 0\n", "4: vertex 1 is not a number, or too large"},
         {"OFF\n1 1 0\n0 0 0\n3 0 0 1\n", "4: face names vertex 1 of 1 (from 0)"},
         {"OFF\n1 1 0\n0 0 0\n3 0 0 -1\n", "4: face names vertex -1 of 1 (from 0)"},
         {"OFF\n1 1 0\n0 0 0\n3 0 0 4294967296\n", "4: face names vertex 4294967296 of 1 (from 0)"},
@@ -445,7 +469,7 @@ static void test_messages(void) {
         {SQUARE "vn 0 1 -na", "5: '-na' is not a number"},
         {"OFF BINARY\n", "1: a binary OFF file: only text can be read"},
         {"\nCOFF BINARY # what\n", "1: a binary OFF file: only text can be read"},
-        {"4OFF 1 1\n0 0 1 1e-320\n3 0 0 0\n", "2: the vertex is too far away"},
+        {"4OFF 1 1\n0 0 1 1e-320\n3 0 0 0\n", "3: vertex 1 is not a number, or too large"},
         {"nOFF\n4\n1 1\n0 0 0 0\n", "2: a space of 4 dimensions, not 3"},
         {"nOFF\n", "1: the number of dimensions is missing"},
         {"OFF\n2 1\n0 0 0 1 0 0 0 0\n0 0 0 1 0 0\n3 0 0 0\n",
@@ -481,8 +505,9 @@ static void test_binary_messages(void) {
         size_t size;
         const char *message;
     } rows[] = {
-        {"v 1 2 3\nf\0", 10, "2: not a text file: it holds a zero byte"},
-        {"OFF\n\0", 5, "2: not a text file: it holds a zero byte"},
+        {"v 1 2 3\nf\0 ", 11, "2: not a text file: it holds a zero byte"},
+        {"OFF\n\0\n", 6, "2: not a text file: it holds a zero byte"},
+        {"OFF\n\0\0", 6, "1: the numbers of vertices and faces are missing"},
         {NULL, 0, "is empty"},
         {"COFF binary\n\0\0\0\3", 16, "1: a binary OFF file: only text can be read"},
         {"\x89PNG\r\n\x1a\n", 8, "a PNG file, not an OBJ or OFF file"}, /* nothing would help */
@@ -673,12 +698,12 @@ static void test_other_names(void) {
     CHECK(put_text(name_file(&place, "a_spec.JPG"), "\xFF\xD8\xFF\xE0"));
     CHECK(model_read(&m, model_path, &error));
     CHECK(model_texture(&m, MODEL_SPECULAR, &error) == NULL);
-    CHECK(strstr(error.message, "/a_spec.JPG: a JPEG file, not a PNG or TGA file: ") != NULL);
+    CHECK(strstr(error.message, "/a_spec.JPG: a JPEG file, not a PNG, TGA or PPM file: ") != NULL);
     m.texture_files[MODEL_NORMAL_MAP] = "grey.png";
     CHECK(model_texture(&m, MODEL_NORMAL_MAP, &error) == NULL);
     m.texture_files[MODEL_SPECULAR] = model_path; /* what is given is read, whatever it is */
     CHECK(model_texture(&m, MODEL_SPECULAR, &error) == NULL);
-    CHECK(strstr(error.message, "/a.obj: neither a PNG nor a TGA") != NULL);
+    CHECK(strstr(error.message, "/a.obj: neither a PNG or PPM nor a TGA") != NULL);
     model_free(&m);
     CHECK(unlink(name_file(&place, "a_spec.JPG")) == 0);
     put_picture(&place, "a_spec.tga", color_grey(1));

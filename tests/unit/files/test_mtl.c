@@ -34,7 +34,7 @@ static void test_faces(void) {
             strcat(strcat(names, m.materials[k].name), ";");
         }
         for (size_t k = 0; k < m.library_count; k++) {
-            strcat(strcat(libraries, m.libraries[k]), ";");
+            strcat(strcat(libraries, m.libraries[k].name), ";");
         }
         CHECK_TEXT(materials, rows[i].materials);
         CHECK_TEXT(names, rows[i].names);
@@ -54,7 +54,8 @@ static void test_many_materials(void) {
         CHECK(bytes_print(&text, "g x\nmtllib l\nusemtl m%d\nf 1 2 3\n", i));
     }
     if (CHECK(model_decode(&m, text.data, text.size, &error))) {
-        CHECK(m.library_count == 1026 && m.library_line == 6);
+        CHECK(m.library_count == 1026 && m.libraries[0].line == 6 &&
+              m.libraries[1025].line == 4106);
         CHECK(m.material_count == 1024 && m.face_materials[1023] == 1023);
         CHECK(m.face_materials[1024] == MODEL_NONE && m.face_materials[1025] == MODEL_NONE);
     }
@@ -172,7 +173,7 @@ static void test_statements(void) {
     struct model m;
     struct error error;
     if (decode_right(&m, SQUARE "usemtl a\nf 1 2 3\n")) {
-        CHECK(mtl_decode(&m, "newmtl a\n\0", 10, "", &error) && !m.materials[0].known);
+        CHECK(mtl_decode(&m, "newmtl a\n\0 ", 11, "", &error) && !m.materials[0].known);
         CHECK(!model_has_materials(&m));
         model_free(&m);
     }
@@ -194,7 +195,7 @@ static void test_files(void) {
     put_picture(&place, "red -b.png", color_rgb(200, 10, 20));
     put_picture(&place, "m_diffuse.png", color_rgb(1, 2, 3));
     if (CHECK_ROW(model_read(&m, path, &error), error.message)) {
-        CHECK(m.material_count == 3 && m.warning_line[MODEL_MATERIALS_MISSING] == 0);
+        CHECK(m.material_count == 3 && m.warning_line[MODEL_LIBRARY_MISSING] == 0);
         CHECK(m.materials[1].color[2] == 0.6F && m.warning_line[MODEL_GLASSY] == 10);
         CHECK(model_has_materials(&m));
         CHECK_TEXT(m.materials[0].texture, name_file(&place, "red -b.png"));
@@ -214,16 +215,61 @@ static void test_files(void) {
     CHECK(model_read(&m, path, &error) && !model_has_materials(&m));
     model_free(&m);
     CHECK(put_text(path, "\nmtllib no.mtl\n" TEXTURED "usemtl blue\nf 1 2 3\n"));
-    CHECK(model_read(&m, path, &error) && m.warning_line[MODEL_MATERIALS_MISSING] == 2);
+    CHECK(model_read(&m, path, &error) && m.warning_line[MODEL_LIBRARY_MISSING] == 2);
+    CHECK_TEXT(m.warning_name[MODEL_LIBRARY_MISSING], "no.mtl");
     CHECK(!model_has_materials(&m));
     model_free(&m);
     CHECK(model_read_parts(&m, path, MODEL_NORMALS, &error)); /* no picture needs it */
-    CHECK(m.warning_line[MODEL_MATERIALS_MISSING] == 0);
+    CHECK(m.warning_line[MODEL_LIBRARY_MISSING] == 0);
     model_free(&m);
     CHECK(put_text(path, "mtllib no.mtl\n" TEXTURED "f 1 2 3\n")); /* no face needs it */
-    CHECK(model_read(&m, path, &error) && m.warning_line[MODEL_MATERIALS_MISSING] == 0);
+    CHECK(model_read(&m, path, &error) && m.warning_line[MODEL_LIBRARY_MISSING] == 0);
     model_free(&m);
     place_remove(&place, "m.obj,m.mtl,two names.mtl,red.JP2,m_diffuse.png");
+}
+
+/* Which material of the model a name in its file of materials means, and what is said of those that
+ * are missing. */
+static void test_names(void) {
+    static const struct {
+        const char *model, *materials, *known, *missing;
+    } rows[] = {
+        {"usemtl m\nf 1 2 3\n", "newmtl m\n", "1", NULL},
+        {"usemtl m # skin\nf 1 2 3\n", "newmtl m\n", "1", NULL},
+        {"usemtl m\nf 1 2 3\n", "newmtl m # skin\n", "1", NULL},
+        {"usemtl Material #25\nf 1 2 3\nusemtl Material #26\nf 1 2 3\n",
+         "newmtl Material #26\nnewmtl Material #25\n", "11", NULL},
+        {"usemtl Material #25\nf 1 2 3\nusemtl Material #26\nf 1 2 3\n",
+         "newmtl Material #25\nnewmtl Material #27\n", "10", "11: Material #26"},
+        {"usemtl two words\nf 1 2 3\n", "newmtl two words \n", "1", NULL},
+        {"usemtl n\nf 1 2 3\nusemtl o\nf 1 2 3\n", "newmtl m\n", "00", "9: n"},
+        {"usemtl m\nf 1 2 3\nusemtl o\nf 1 2 3\n", "newmtl m\n", "10", "11: o"},
+        {"usemtl None\nf 1 2 3\nusemtl (null)\nf 1 2 3\nusemtl\nf 1 2 3\n", "newmtl m\n", "000",
+         NULL},
+    };
+    struct place place = place_create();
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        char text[300], known[10] = "", missing[60] = "";
+        struct model m;
+        struct error error = {0};
+        snprintf(text, sizeof text, "mtllib M.MTL # all\n" TEXTURED "\n\n%s", rows[i].model);
+        CHECK(put_text(name_file(&place, "m.mtl"), rows[i].materials));
+        CHECK(put_text(name_file(&place, "m.obj"), text));
+        if (CHECK_ROW(model_read(&m, place.path, &error), error.message)) {
+            for (size_t k = 0; k < m.material_count; k++) {
+                strcat(known, m.materials[k].known ? "1" : "0");
+            }
+            CHECK_TEXT(known, rows[i].known);
+            CHECK(m.warning_line[MODEL_LIBRARY_MISSING] == 0);
+            const size_t line = m.warning_line[MODEL_MATERIAL_MISSING];
+            snprintf(missing, sizeof missing, "%zu: %s", line,
+                     line > 0 ? m.warning_name[MODEL_MATERIAL_MISSING] : "");
+            CHECK_ROW(rows[i].missing == NULL ? line == 0 : strcmp(missing, rows[i].missing) == 0,
+                      missing);
+        }
+        model_free(&m);
+    }
+    place_remove(&place, "m.obj,m.mtl");
 }
 
 /* Write ASCII as Windows writes "Unicode". */
@@ -256,4 +302,4 @@ static void test_utf16(void) {
 }
 
 UNIT_MAIN(TEST(test_utf16), TEST(test_faces), TEST(test_many_materials), TEST(test_statements),
-          TEST(test_files))
+          TEST(test_files), TEST(test_names))

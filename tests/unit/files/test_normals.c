@@ -56,6 +56,13 @@ static struct real3 normal_by_definition(const struct model *m, uint32_t positio
     return sum;
 }
 
+/* No edge is hard. */
+static bool smooth_all(struct model *m) {
+    m->hard_given = true;
+    m->hard_degrees = 180;
+    return true;
+}
+
 /* Faces, every tenth with its own normal, between random places. */
 static bool make_faces(struct model *m) {
     struct bytes text = {0};
@@ -94,7 +101,7 @@ static void test_normals(void) {
     for (int round = 0; round < 40; round++) {
         struct model m;
         struct error error;
-        if (make_faces(&m) && CHECK(model_need_normals(&m, &error))) {
+        if (make_faces(&m) && CHECK(smooth_all(&m) && model_need_normals(&m, &error))) {
             size_t count = m.normal_count;
             CHECK(count > 20 && count <= 40 && same3(m.normals[0], 5, 6, 7));
             for (size_t i = 0; i < 3 * m.face_count; i++) {
@@ -111,7 +118,7 @@ static void test_no_normal(void) {
                                "v 2 0 0\nf 1 2 3\nf 1 3 2\nf 1 4 5\nf 2 6 2\n";
     struct model m;
     struct error error;
-    if (!decode_right(&m, text) || !CHECK(model_need_normals(&m, &error))) {
+    if (!decode_right(&m, text) || !CHECK(smooth_all(&m) && model_need_normals(&m, &error))) {
         return;
     }
     struct vec3 both_sides = model_normal(&m, 0, 2), degenerate = model_normal(&m, 3, 1);
@@ -131,7 +138,7 @@ static void test_back_to_back(void) {
         struct model m =
             plain_model(positions, 3, faces, 2, (const uint32_t[][3]){{0, 1, 2}, {2, 1, 0}});
         struct error error;
-        CHECK(model_need_normals(&m, &error));
+        CHECK(smooth_all(&m) && model_need_normals(&m, &error));
         for (size_t k = 0; k < 3; k++) {
             struct vec3 n = model_normal(&m, 0, k);
             CHECK(n.x == 0 && n.y == 0 && n.z == 1);
@@ -172,6 +179,97 @@ static void test_narrow_corner(void) {
         CHECK(same3(m.normals[0], 1, 0, 0));
     }
     model_free(&m);
+}
+
+/* ---- Hard edges ---- */
+
+/* How many normals there are around the corners of a solid: 24 of a cube of hard edges, 36 where
+ * each triangle is flat, 8 of one like a pillow. `hard`: an angle, or -1 for none. */
+static void test_hard_edges(void) {
+#define FRONT  "v -1 -1 1\nv 1 -1 1\nv 1 1 1\nv -1 1 1\n"
+#define CUBE   FRONT "v -1 -1 -1\nv 1 -1 -1\nv 1 1 -1\nv -1 1 -1\n"
+#define BOTTOM "f 1 2 3 4\nf 6 5 8 7\n"
+#define SIDES  "f 2 6 7 3\nf 5 1 4 8\nf 4 3 7 8\nf 5 6 2 1\n"
+    static const struct {
+        const char *name, *text;
+        double hard;
+        size_t normals;
+    } rows[] = {
+        {"cube", CUBE BOTTOM SIDES, -1, 24},
+        {"cube, 89", CUBE BOTTOM SIDES, 89, 24},
+        {"cube, 90", CUBE BOTTOM SIDES, 90, 8},
+        {"cube, all smooth", CUBE BOTTOM SIDES, 180, 8},
+        {"off", CUBE "s off\n" BOTTOM SIDES, -1, 36},
+        {"off, in capitals", CUBE "S OFF\n" BOTTOM SIDES, -1, 36},
+        {"one group", CUBE "s 1\n" BOTTOM SIDES, -1, 8},
+        {"on", CUBE "s on\n" BOTTOM SIDES, -1, 8},
+        {"two groups", CUBE "s 1\n" BOTTOM "s 2\n" SIDES, -1, 16},
+        {"one smooth, four flat", CUBE "s 7\n" BOTTOM "s 0\n" SIDES, -1, 32},
+        {"the same group again", CUBE "s 1\n" BOTTOM "s 2\ns 1\n" SIDES, -1, 8},
+        {"none, then a group", CUBE BOTTOM "s 3\n" SIDES, -1, 16},
+        {"the option before groups", CUBE "s 1\n" BOTTOM SIDES, 60, 24},
+        {"the option before off", CUBE "s off\n" BOTTOM SIDES, 180, 8},
+        {"column of six", "COLUMN 6", -1, 12},
+        {"column of five", "COLUMN 5", -1, 20},
+        {"column of five, 73", "COLUMN 5", 73, 10},
+        {"flat, though in one plane", SQUARE "s off\nf 1 2 3\nf 1 3 4\n", -1, 6},
+        {"angle in one plane", SQUARE "f 1 2 3\nf 1 3 4\n", 0, 4},
+        {"a face without area between two", SQUARE "f 1 2 3\nf 1 3 3\nf 1 3 4\n", 0, 4},
+        {"both sides of a sheet", SQUARE "f 1 2 3 4\nf 4 3 2 1\n", -1, 8},
+        {"two sheets of two sides", SQUARE "v 2 0 0\nf 1 2 3\nf 3 2 1\nf 2 5 3\nf 3 5 2\n", -1, 8},
+        {"two tips that touch",
+         "v 0 0 0\nv 1 0 1\nv 0 1 1\nv -1 0 -1\nv 0 -1 -1\nf 1 2 3\nf 1 4 5\n", 179, 6},
+        {"with normals", SQUARE "s off\nvn 0 0 1\nf 1//1 2//1 3//1\n", -1, 1},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        char column[1200] = "";
+        size_t sides = 0;
+        if (sscanf(rows[i].text, "COLUMN %zu", &sides) == 1) { /* to six digits, as files have */
+            for (size_t k = 0; k < sides; k++) {
+                double angle = 6.283185307179586 * (double)k / (double)sides;
+                string_append(column, sizeof column, "v %.6f %.6f 0\nv %.6f %.6f 1\n", cos(angle),
+                              sin(angle), cos(angle), sin(angle));
+            }
+            for (size_t k = 0; k < sides; k++) {
+                size_t a = 2 * k + 1, b = 2 * ((k + 1) % sides) + 1;
+                string_append(column, sizeof column, "f %zu %zu %zu %zu\n", a, b, b + 1, a + 1);
+            }
+        }
+        struct model m;
+        struct error error;
+        if (!decode_right(&m, sides > 0 ? column : rows[i].text)) {
+            continue;
+        }
+        m.hard_given = rows[i].hard >= 0;
+        m.hard_degrees = rows[i].hard;
+        CHECK_ROW(model_need_normals(&m, &error), rows[i].name);
+        if (!CHECK_ROW(m.normal_count == rows[i].normals, rows[i].name)) {
+            printf("    %zu normals\n", m.normal_count);
+        }
+        for (size_t k = 0; k < 3 * m.face_count; k++) { /* each looks as its face, more or less */
+            struct vec3 n = model_normal(&m, k / 3, k % 3), face = model_face_normal(&m, k / 3);
+            CHECK_ROW(vec3_dot(n, face) > 0 || vec3_length(face) == 0, rows[i].name);
+        }
+        model_free(&m);
+    }
+}
+
+/* More faces around a position, and at an edge, than could be compared each with each. */
+static void test_many_around(void) {
+    enum { COUNT = 200000 };
+    struct bytes text = {0};
+    struct model m;
+    struct error error;
+    CHECK(bytes_print(&text, "v 0 0 0\nv 1 0 0\nv 0 1 0\n"));
+    for (int i = 0; i < COUNT; i++) {
+        CHECK(bytes_print(&text, "f 1 2 3\n"));
+    }
+    if (CHECK(model_decode(&m, text.data, text.size, &error)) &&
+        CHECK(model_need_normals(&m, &error))) {
+        CHECK(m.normal_count == 3 && same3(m.normals[0], 0, 0, 1));
+    }
+    model_free(&m);
+    bytes_free(&text);
 }
 
 /* ---- Colours ---- */
@@ -231,5 +329,6 @@ static void test_given_colors(void) {
 }
 
 UNIT_MAIN(TEST(test_angles), TEST(test_normals), TEST(test_no_normal), TEST(test_back_to_back),
-          TEST(test_computed_normals), TEST(test_narrow_corner), TEST(test_colors_from_normals),
-          TEST(test_colors_of_materials), TEST(test_given_colors))
+          TEST(test_computed_normals), TEST(test_narrow_corner), TEST(test_hard_edges),
+          TEST(test_many_around), TEST(test_colors_from_normals), TEST(test_colors_of_materials),
+          TEST(test_given_colors))

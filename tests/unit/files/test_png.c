@@ -189,25 +189,30 @@ static size_t put_picture(struct bytes *file, const struct content *c, uint32_t 
     return clear_at;
 }
 
-/* Cut off anywhere, the file is an error. The checksums see every change of a byte; in "teXt" and
- * tRNS, which no picture needs, it is passed over (but not where its length is), and so is the
- * checksum of IEND. */
+/* Cut off before the last pixel, the file is an error. The checksums see every change of a byte; in
+ * "teXt" and tRNS, which no picture needs, it is passed over (but not where its length is), and so
+ * is the checksum of IEND. */
 static void check_damaged(const struct bytes *file, const struct content *c, size_t clear_at) {
-    const size_t text_end = 33 + 12 + 13;
+    const size_t text_end = 33 + 12 + 13, end = file->size - 12; /* IEND begins there */
     const size_t clear_end = clear_at + (c->clear_size > 0 ? 12 + c->clear_size : 0);
     struct image image;
     struct error error;
-    for (size_t size = 0; size < file->size; size++) {
-        CHECK(!decode_exact(png_decode, &image, file->data, size, &error));
+    for (size_t size = 0; size < file->size; size++) { /* a checksum may be missing, too */
+        CHECK(decode_exact(png_decode, &image, file->data, size, &error) == (size >= end - 4));
+        CHECK(size < end - 4 || shows(&image, c));
+        image_free(&image);
     }
     for (size_t at = 0; at < file->size; at++) {
         bool harmless = at >= 33 + 4 && at < text_end, of_alpha = at >= clear_at && at < clear_end;
         bool renamed = of_alpha && at >= clear_at + 4 && at < clear_at + 8;
+        bool end_cut = at >= end && at < end + 4; /* its length: all is cut off that follows */
+        bool longer = at >= clear_end && at < clear_end + 4; /* IDAT may seem cut off */
         file->data[at] ^= 0x10;
         bool done = decode_exact(png_decode, &image, file->data, file->size, &error);
-        CHECK(renamed ||
-              done == (harmless || (of_alpha && at >= clear_at + 4) || at + 4 >= file->size));
-        CHECK(!harmless || shows(&image, c));
+        CHECK(renamed || longer ||
+              done == (harmless || end_cut || (of_alpha && at >= clear_at + 4) ||
+                       at + 4 >= file->size));
+        CHECK(!(harmless || (longer && done)) || shows(&image, c));
         CHECK(at < 29 || at >= 33 || strstr(error.message, "checksum in chunk IHDR") != NULL);
         image_free(&image);
         file->data[at] ^= 0x10;
@@ -240,13 +245,14 @@ static void test_every_kind(void) {
 /* A file of one pixel: chunks by letter and number of bytes, all 0. H header (13 are right), P
  * palette, T tRNS, D pixel, S the same in chunks of a byte and of none, I pixels that are none, E
  * end, o optional, X unknown, Z of a length that lies, a to d a name in which one character is no
- * letter, z one of letters at the ends of the alphabet. `header`: depth, colour type, compression,
- * filter, interlace; the first byte of the pixel, after 256 times its row's filter; width and
- * height where they are not 1. */
+ * letter, z one of letters at the ends of the alphabet, C that of an iPhone's file. `header`:
+ * depth, colour type, compression, filter, interlace; the first byte of the pixel, after 256 times
+ * its row's filter; width and height where they are not 1. */
 static struct bytes make_file(const uint32_t header[8], const char *chunks) {
-    static const char letters[] = "HPTSIEoXZabcdz";
-    static const char *const types[] = {"IHDR", "PLTE", "tRNS", "IDAT", "IDAT", "IEND", "tEXt",
-                                        "ABCD", "teXt", "@EXt", "t[Xt", "tE`t", "tEX{", "zaZA"};
+    static const char letters[] = "HPTSIEoXZabcdzC";
+    static const char *const types[] = {"IHDR", "PLTE", "tRNS", "IDAT", "IDAT",
+                                        "IEND", "tEXt", "ABCD", "teXt", "@EXt",
+                                        "t[Xt", "tE`t", "tEX{", "zaZA", "CgBI"};
     static const uint8_t zeros[17000];
     const uint32_t filter = header[5] >> 8, one = header[6] == 0 && header[7] == 0;
     struct bytes file = {0}, contents = {0};
@@ -301,35 +307,31 @@ static void test_chunks(void) {
         {"compression 1", "H13D3E", "compression or filter method", {8, 2, 1, 0, 0}},
         {"filter method 1", "H13D3E", "compression or filter method", {8, 2, 0, 1, 0}},
         {"colour type 5", "H13D3E", "colour type, 5", {8, 5, 0, 0, 0}},
-        {"grey with a palette", "H13P3D1E", "palette in the wrong place", {8, 0, 0, 0, 0}},
-        {"grey and alpha with a palette", "H13P3D2E", "palette in the wrong", {8, 4, 0, 0, 0}},
+        {"grey with a palette", "H13P3D1E", NULL, {8, 0, 0, 0, 0}},
+        {"grey and alpha with a palette", "H13P3D2E", NULL, {8, 4, 0, 0, 0}},
         {"an empty palette", "H13P0D1E", "palette of 0 bytes", {8, 3, 0, 0, 0}},
-        {"257 colours", "H13P771D3E", "palette of 771 bytes", {8, 2, 0, 0, 0}},
-        {"tRNS before the palette", "H13T6P3D3E", "palette in the wrong", {8, 2, 0, 0, 0}},
-        {"a palette after the pixels", "H13D3P3E", "palette in the wrong", {8, 2, 0, 0, 0}},
-        {"tRNS of grey and alpha", "H13T2D2E", "tRNS chunk in the wrong", {8, 4, 0, 0, 0}},
-        {"tRNS of RGBA", "H13T6D4E", "tRNS chunk in the wrong", {8, 6, 0, 0, 0}},
-        {"tRNS twice", "H13T6T6D3E", "tRNS chunk in the wrong", {8, 2, 0, 0, 0}},
-        {"tRNS after the pixels", "H13D3T6E", "tRNS chunk in the wrong", {8, 2, 0, 0, 0}},
-        {"tRNS of a palette, empty", "H13P3T0D1E", "tRNS chunk of 0 bytes", {8, 3, 0, 0, 0}},
-        {"tRNS of RGB, too short", "H13T5D3E", "tRNS chunk of 5 bytes", {8, 2, 0, 0, 0}},
-        {"tRNS of RGB, too long", "H13T7D3E", "tRNS chunk of 7 bytes", {8, 2, 0, 0, 0}},
-        {"an end with contents", "H13D3E1", "without pixel data", {8, 2, 0, 0, 0}},
+        {"257 colours", "H13P771D1E", "palette of 771 bytes", {8, 3, 0, 0, 0}},
+        {"257 suggested colours", "H13P771D3E", NULL, {8, 2, 0, 0, 0}},
+        {"half a suggested colour", "H13P4D3E", NULL, {8, 2, 0, 0, 0}},
+        {"tRNS before a suggestion", "H13T6P3D3E", NULL, {8, 2, 0, 0, 0}},
+        {"a palette after the pixels", "H13D3P3E", NULL, {8, 2, 0, 0, 0}},
+        {"an end with contents", "H13D3E1", NULL, {8, 2, 0, 0, 0}},
         {"pixels in two parts", "H13D3o1D3E", "between its pixel data", {8, 2, 0, 0, 0}},
         {"an unknown chunk at the end", "H13D3XE", "unknown chunk, ABCD", {8, 2, 0, 0, 0}},
         {"a palette of 1 bit", "H13P6T2D1E", NULL, {1, 3, 0, 0, 0}},
         {"more after the end", "H13P6D1EX", NULL, {1, 3, 0, 0, 0}},
         {"nothing", "", "cut off", {1, 3, 0, 0, 0}},
         {"two headers", "H13H13P6D1E", "a second header", {1, 3, 0, 0, 0}},
-        {"two palettes", "H13P3P6D1E", "palette in the wrong place", {1, 3, 0, 0, 0}},
+        {"two palettes", "H13P3P6D1E", NULL, {1, 3, 0, 0, 0}},
         {"half an entry", "H13P4D1E", "palette of 4 bytes", {1, 3, 0, 0, 0}},
-        {"more than the bits allow", "H13P9D1E", "palette of 9 bytes", {1, 3, 0, 0, 0}},
-        {"tRNS before its palette", "H13T2P6D1E", "tRNS chunk in the wrong", {1, 3, 0, 0, 0}},
-        {"tRNS too long", "H13P6T3D1E", "tRNS chunk of 3 bytes", {1, 3, 0, 0, 0}},
+        {"more than the bits allow", "H13P9D1E", NULL, {1, 3, 0, 0, 0}},
         {"no palette", "H13D1E", "without its palette", {8, 3, 0, 0, 0}},
         {"a pixel outside it", "H13P3D1E", NULL, {8, 3, 0, 0, 0, 1}},
         {"no data", "H13P6E", "without pixel data", {1, 3, 0, 0, 0}},
-        {"no end", "H13P6D1", "cut off", {1, 3, 0, 0, 0}},
+        {"no end", "H13P6D1", NULL, {1, 3, 0, 0, 0}},
+        {"cut off behind the pixels", "H13P6D1Z0", NULL, {1, 3, 0, 0, 0}},
+        {"cut off before the pixels", "H13P6", "cut off", {1, 3, 0, 0, 0}},
+        {"an iPhone's", "C4H13D3E", "an iPhone's PNG (CgBI)", {8, 2, 0, 0, 0}},
         {"lying length", "H13Z0D1E", "2147483647 bytes, but 37 are left", {8, 0, 0, 0, 0}},
         {"interlaced", "H13D1E", NULL, {8, 0, 0, 0, 1}},
         {"another interlace", "H13D1E", "interlace method", {8, 0, 0, 0, 2}},
@@ -340,7 +342,8 @@ static void test_chunks(void) {
         {"3 bits", "H13D1E", "cannot have 3 bits", {3, 0, 0, 0, 0}},
         {"colour type 1", "H13D1E", "unknown colour type, 1", {8, 1, 0, 0, 0}},
         {"colour type 7", "H13D1E", "unknown colour type, 7", {8, 7, 0, 0, 0}},
-        {"smaller than the data", "H13D2E", "larger", {8, 0, 0, 0, 0}},
+        {"smaller than the data", "H13D2E", NULL, {8, 0, 0, 0, 0}},
+        {"smaller by a row", "H13D3S0E", NULL, {8, 0, 0, 0, 0}},
         {"larger than the data", "H13D2E", "smaller", {8, 2, 0, 0, 0}},
         {"no width", "H13D1E", "0x1 pixels", {8, 0, 0, 0, 0, 0, 0, 1}},
         {"no height", "H13D1E", "1x0 pixels", {8, 0, 0, 0, 0, 0, 1, 0}},
@@ -368,6 +371,40 @@ static void test_chunks(void) {
         if (!done && rows[i].message != NULL) {
             CHECK_ROW(strstr(error.message, rows[i].message) != NULL, error.message);
         }
+        image_free(&image);
+        bytes_free(&file);
+    }
+}
+
+/* A tRNS chunk that is of no use is passed over: the picture has no alpha but its own. */
+static void test_useless_alpha(void) {
+    static const struct {
+        const char *name, *chunks;
+        enum image_format format;
+        uint32_t header[8];
+    } rows[] = {
+        {"useful, of RGB", "H13T6D3E", IMAGE_BGRA, {8, 2, 0, 0, 0}},
+        {"useful, of a palette", "H13P6T2D1E", IMAGE_BGRA, {1, 3, 0, 0, 0}},
+        {"of grey and alpha", "H13T2D2E", IMAGE_BGRA, {8, 4, 0, 0, 0}},
+        {"of RGBA", "H13T6D4E", IMAGE_BGRA, {8, 6, 0, 0, 0}},
+        {"after the pixels", "H13D3T6E", IMAGE_BGR, {8, 2, 0, 0, 0}},
+        {"of a palette, empty", "H13P3T0D1E", IMAGE_BGR, {8, 3, 0, 0, 0}},
+        {"of RGB, too short", "H13T5D3E", IMAGE_BGR, {8, 2, 0, 0, 0}},
+        {"of RGB, too long", "H13T7D3E", IMAGE_BGR, {8, 2, 0, 0, 0}},
+        {"of grey, too long", "H13T6D1E", IMAGE_GREY, {8, 0, 0, 0, 0}},
+        {"before its palette", "H13T2P6D1E", IMAGE_BGR, {1, 3, 0, 0, 0}},
+        {"of a palette, too long", "H13P6T3D1E", IMAGE_BGR, {1, 3, 0, 0, 0}},
+        {"twice", "H13T7T6T2D3E", IMAGE_BGRA, {8, 2, 0, 0, 0}},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        struct image image;
+        struct error error;
+        struct bytes file = make_file(rows[i].header, rows[i].chunks);
+        CHECK_ROW(decode_exact(png_decode, &image, file.data, file.size, &error), rows[i].name);
+        CHECK_ROW(image.format == rows[i].format, rows[i].name);
+        bool clear = image.format == IMAGE_BGRA; /* all is 0, also what is transparent */
+        CHECK_ROW(image.pixels != NULL && image_get(&image, 0, 0).a == (clear ? 0 : 255),
+                  rows[i].name);
         image_free(&image);
         bytes_free(&file);
     }
@@ -544,5 +581,5 @@ static void test_still_animation(void) {
     bytes_free(&file);
 }
 
-UNIT_MAIN(TEST(test_every_kind), TEST(test_chunks), TEST(test_round_trip), TEST(test_animation),
-          TEST(test_still_animation))
+UNIT_MAIN(TEST(test_every_kind), TEST(test_chunks), TEST(test_useless_alpha), TEST(test_round_trip),
+          TEST(test_animation), TEST(test_still_animation))

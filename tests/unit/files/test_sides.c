@@ -51,6 +51,8 @@ static void test_mixed_winding(void) {
         }
         struct model model = decode(text);
         struct error error;
+        model.hard_given = true;
+        model.hard_degrees = 180;
         CHECK(model_add_other_sides(&model, true, &error) && model.face_count == 16);
         for (size_t i = 0; i < 8; i++) {
             check_sides(&model, i);

@@ -222,7 +222,10 @@ static void test_face_colors(void) {
     static uint32_t materials[3] = {1, MODEL_NONE, 0};
     static struct face faces[3] = {{{{0, 0, 0}}}, {{{1, 0, 0}}}, {{{2, 0, 0}}}};
     struct model_material named[2] = {{.specular = -1}, {.specular = -1}};
+    struct vec3 position[3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
     struct model model = {.faces = faces,
+                          .positions = position,
+                          .position_count = 3,
                           .face_count = 3,
                           .face_colors = colors,
                           .face_materials = materials,
@@ -237,6 +240,7 @@ static void test_face_colors(void) {
         CHECK(parts.part[i].model.face_colors[0][0] == reds[i]);
         CHECK(parts.part[i].model.faces[0].corner[0].position == positions[i]);
     }
+    free(model.uvs);
     parts_free(&parts);
 }
 

@@ -13,7 +13,7 @@ done
 for lesson in step0[24-9]*_* step10*; do
     "$build/$lesson" -o "$work/$lesson" --fit --turn 1,0,0 "$build/models/knot.off" 2>"$work/said" \
         >"$work/names" || wrong "$lesson: status $?"
-    ! grep -v ': left out, as details' "$work/said" || wrong "$lesson: a warning without a cause"
+    ! grep . "$work/said" || wrong "$lesson: a warning without a cause"
 done
 
 # The scenes of lesson 8 that have no model have the light as a normal.

@@ -1,6 +1,7 @@
 /* What a scene finds on its stage: what is read for its needs, in parts, and of which files. */
 #define _XOPEN_SOURCE 700 /* POSIX.1-2008 with mkdtemp() */
 
+#include "run/atlas.h"
 #include "run/stage.h"
 #include "unit/models.h"
 
@@ -152,6 +153,115 @@ static void test_needs(void) {
                          "bare.obj");
 }
 
+/* The colours of a face, of each corner and of the middle, as scenes sample them. */
+static void describe_face(const struct drawing *drawing, size_t face, char *text) {
+    struct vec2 uv[4];
+    for (size_t i = 0; i < 3; i++) {
+        uv[i] = model_uv(drawing->model, face, i);
+    }
+    const struct vec3 third = {1.0 / 3, 1.0 / 3, 1.0 / 3};
+    uv[3] = vec2_interpolate(third, uv[0], uv[1], uv[2]);
+    for (size_t i = 0; i < 4; i++) {
+        const struct vec4 c = texture_bilinear(drawing->diffuse, uv[i], 0);
+        string_append(text, SIGHT, "%02X%02X%02X%s", (unsigned)(c.x + 0.5), (unsigned)(c.y + 0.5),
+                      (unsigned)(c.z + 0.5), i < 3 ? " " : "; ");
+    }
+}
+
+/* A model without pictures shows the colours of its positions or faces. */
+static void test_own_colors(void) {
+#define COLORED "v 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 0 1 0 0 0 1\n"
+    static const struct {
+        const char *model, *materials, *options, *sight, *said;
+    } rows[] = {
+        {COLORED "f 1 2 3\n", "", "m.obj", "FF0000 00FF00 0000FF 555555; ", ""},
+        {COLORED "f 1 2 3\nf 3 2 1\n", "", "m.obj",
+         "FF0000 00FF00 0000FF 555555; 0000FF 00FF00 FF0000 555555; ", ""},
+        {COLORED "f 1 2 3\n", "", "--two-sided m.obj",
+         "FF0000 00FF00 0000FF 555555; FF0000 0000FF 00FF00 555555; ", ""},
+        {"OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 255 0 51\n3 2 1 0\n", "", "m.obj",
+         "FF0033 FF0033 FF0033 FF0033; FFFFFF FFFFFF FFFFFF FFFFFF; ", ""},
+        {COLORED "vt 0 0\nf 1/1 2/1 3/1\n", "", "m.obj", "FF0000 00FF00 0000FF 555555; ",
+         "m.obj: no m_diffuse.tga next to it, nor other usual names; its own colours instead "
+         "(--texture)"},
+        /* Of a material: grey does not count, and other colours tint. */
+        {"mtllib m.mtl\n" COLORED "usemtl a\nf 1 2 3\nusemtl b\nf 3 2 1\n",
+         "newmtl a\nKd 0.8 0.8 0.8\nnewmtl b\nKd 1 0.6 1\n", "m.obj",
+         "FF0000 00FF00 0000FF 555555; 0000FF 009900 FF0000 553355; ", ""},
+        {"mtllib m.mtl\n" COLORED "vt 0 0\nusemtl a\nf 1/1 2/1 3/1\nusemtl b\nf 3/1 2/1 1/1\n",
+         "newmtl a\nmap_Kd grey.png\nnewmtl b\n", "m.obj",
+         "050505 050505 050505 050505; 0000FF 00FF00 FF0000 555555; ", ""},
+        {"mtllib m.mtl\n" COLORED "vt 0 0\nusemtl a\nf 1/1 2/1 3/1\n",
+         "newmtl a\nmap_Kd none.png\n", "m.obj", "FF0000 00FF00 0000FF 555555; ",
+         "none.png: No such file or directory; the material's colour instead (--texture)"},
+        {"mtllib m.mtl\n" COLORED "vt 0 0\nusemtl a\nf 1/1 2/1 3/1\n",
+         "newmtl a\nKd 0 1 1\nmap_Ks grey.png\n", "m.obj", "00FFFF 00FFFF 00FFFF 00FFFF; ", ""},
+        /* A picture counts before them. */
+        {COLORED "vt 0 0\nf 1/1 2/1 3/1\n", "", "--texture grey.png m.obj",
+         "050505 050505 050505 050505; ", ""},
+        {COLORED "vt 0 0\nf 1/1 2/1 3/1\n", "", "--specular grey.png m.obj",
+         "FFFFFF FFFFFF FFFFFF FFFFFF; ",
+         "m.obj: no m_diffuse.tga next to it, nor other usual names; white instead (--texture)"},
+    };
+    struct place place = place_create();
+    char home[1000], sight[SIGHT];
+    CHECK(getcwd(home, sizeof home) != NULL && chdir(place.directory) == 0);
+    put_picture(&place, "grey.png", color_grey(5));
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        const struct scene scene = {.needs = NEEDS_DIFFUSE};
+        struct run run = {.needs = 0};
+        CHECK(put_text("m.obj", rows[i].model) && put_text("m.mtl", rows[i].materials));
+        for (int round = 0; round < 2; round++) { /* made once, and shown again */
+            struct stage stage;
+            char said[SIGHT] = "", again[SIGHT] = "";
+            begin(&run, &stage, &scene, rows[i].options, sight);
+            struct drawing *drawing = &stage.drawing;
+            for (size_t part = 0; drawing_take_part(drawing, part); part++) {
+                for (size_t face = 0; face < drawing->model->face_count; face++) {
+                    describe_face(drawing, face, again);
+                }
+            }
+            CHECK_ROW(CHECK_TEXT(again, rows[i].sight), rows[i].model);
+            snprintf(said, sizeof said, "; %.40s", rows[i].said);
+            bool silent = round > 0 || rows[i].said[0] == '\0';
+            CHECK_ROW(silent ? strstr(sight, "instead") == NULL : strstr(sight, said) != NULL,
+                      sight);
+            stage_end(&stage);
+        }
+        run_free(&run);
+    }
+    CHECK(chdir(home) == 0);
+    place_remove(&place, "grey.png,m.obj,m.mtl");
+}
+
+/* Many faces have small places, and each keeps its own colour. */
+static void test_many_colors(void) {
+    enum { COUNT = 200000 };
+    struct model m = {0};
+    struct texture atlas = {0};
+    struct bytes text = {0};
+    struct error error = {0};
+    CHECK(bytes_print(&text, "OFF\n3 %d 0\n0 0 0\n1 0 0\n0 1 0\n", COUNT));
+    for (int i = 0; i < COUNT; i++) {
+        CHECK(bytes_print(&text, "3 0 1 2 %d %d %d\n", i & 255, i >> 8 & 255, i >> 16));
+    }
+    if (CHECK(model_decode(&m, text.data, text.size, &error)) &&
+        CHECK(atlas_make(&atlas, &m, NULL, &error))) {
+        CHECK(atlas.level_count == 1 && m.uv_count == 3 * COUNT);
+        bool right = true;
+        for (size_t i = 0; i < 3 * COUNT; i++) {
+            const struct vec4 c = texture_bilinear(&atlas, model_uv(&m, i / 3, i % 3), 0);
+            right = right && fabs(c.x - (double)(i / 3 & 255)) < 0.5 &&
+                    fabs(c.y - (double)(i / 3 >> 8 & 255)) < 0.5 &&
+                    fabs(c.z - (double)(i / 3 >> 16)) < 0.5;
+        }
+        CHECK(right);
+    }
+    texture_free(&atlas);
+    model_free(&m);
+    bytes_free(&text);
+}
+
 static bool draw_depth(struct drawing *drawing, struct image *image, struct error *error) {
     (void)error;
     for (size_t i = 0; i < image->width * image->height; i++) {
@@ -190,4 +300,4 @@ static void test_drawing(void) {
     image_free(&image);
 }
 
-UNIT_MAIN(TEST(test_needs), TEST(test_drawing))
+UNIT_MAIN(TEST(test_needs), TEST(test_own_colors), TEST(test_many_colors), TEST(test_drawing))

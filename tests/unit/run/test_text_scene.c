@@ -106,7 +106,7 @@ static void test_messages(void) {
     }
     struct text_scene scene;
     struct error error;
-    CHECK(!text_scene_decode(&scene, "size 1 1\n\0", 10, TEXT_SCENE_LINES, &error));
+    CHECK(!text_scene_decode(&scene, "size 1 1\n\0 ", 11, TEXT_SCENE_LINES, &error));
     CHECK_ERROR(error, "2: not a text file: it holds a zero byte");
 }
 
@@ -123,6 +123,14 @@ static void test_files(void) {
     CHECK_TEXT(error.message, expected);
     CHECK(put_text(path, "dot\n"));
     CHECK(freopen(path, "rb", stdin) != NULL);
+    const char *model = name_file(&place, "cube.OBJ");
+    CHECK(put_text(model, "v 0 0 0\n"));
+    CHECK(!text_scene_read(&scene, model, TEXT_SCENE_TRIANGLES, &error));
+    CHECK(strstr(error.message, "/cube.OBJ: a model, but this lesson draws text scenes") != NULL);
+    CHECK(put_text(model, "size 9 8\n") &&
+          text_scene_read(&scene, model, TEXT_SCENE_TRIANGLES, &error));
+    text_scene_free(&scene);
+    CHECK(unlink(model) == 0);
     CHECK(!text_scene_read(&scene, "-", TEXT_SCENE_LINES, &error));
     CHECK_TEXT(error.message, "standard input:1: 'dot' is not known: 'size' or 'line' is allowed");
     scene = (struct text_scene){.width = 7, .height = 7, .shape_count = 7};

@@ -1,0 +1,102 @@
+/* Files that other files name: where they are, and which does as well. */
+#define _XOPEN_SOURCE 700 /* POSIX.1-2008 with mkdtemp() */
+
+#include "files/find.h"
+#include "unit/place.h"
+
+#include <sys/stat.h>
+
+static void test_find_named(void) {
+    static const struct {
+        const char *name, *found; /* behind the directory */
+        bool is_picture, is_there;
+    } rows[] = {
+        {"pic.png", "pic.png", true, true},
+        {"Pic.PNG", "pic.png", true, true},
+        {"\"pic.png\"", "pic.png", true, true},
+        {"PIC.PNG # of wood", "pic.png", true, true},
+        {"pic.png -clamp on", "pic.png", true, true},
+        {"C:\\my maps\\Pic.png", "pic.png", true, true},
+        {"none/PIC.png", "pic.png", true, true},
+        /* What is not read, and what it was converted to. */
+        {"pic.jpg", "pic.png", true, true},
+        {"both.jpg", "both.png", true, true},
+        {"Both.TIF", "both.png", true, true},
+        {"both.tga", "both.tga", true, true},
+        {"both.png", "both.png", true, true},
+        {"old.jpeg", "old.TGA", true, true},
+        {"old.png", "old.TGA", true, true},
+        {"photo.jpg", "photo.jpg", true, true},
+        {"PHOTO.jpg", "photo.jpg", true, true},
+        {"photo.bmp", "photo.bmp", true, false},
+        {"pic.jpg", "pic.jpg", false, false},
+        {"no_ending", "no_ending.png", true, true},
+        /* Directories. */
+        {"maps/Sand.png", "Maps/sand.png", true, true},
+        {"MAPS\\SAND.JPG", "Maps/sand.png", true, true},
+        {"Maps//sand.png", "Maps//sand.png", true, true},
+        {"./maps/../Pic.png", "./Maps/../pic.png", true, true},
+        {"mapz/sand.png", "mapz/sand.png", true, false},
+        /* Two files fit, or one that is written just so. */
+        {"Twin.png", "Twin.png", true, false},
+        {"twin.png", "twin.png", true, true},
+        {"twin.jpg", "twin.png", true, true},
+        {"a.MTL", "a.mtl", false, true},
+        {"two words.mtl # made by hand", "two words.mtl", false, true},
+        {"two", "two", false, false},
+        {"none.png # x", "none.png", true, false},
+    };
+    static const char *const files[] = {"pic.png",   "both.png",     "both.tga", "old.TGA",
+                                        "photo.jpg", "twin.png",     "TWIN.png", "no_ending.png",
+                                        "a.mtl",     "two words.mtl"};
+    struct place place = place_create();
+    char directory[60], long_name[9000];
+    CHECK(mkdir(name_file(&place, "Maps"), 0777) == 0 &&
+          put_text(name_file(&place, "Maps/sand.png"), ""));
+    for (size_t i = 0; i < sizeof files / sizeof files[0]; i++) {
+        CHECK(put_text(name_file(&place, files[i]), ""));
+    }
+    snprintf(directory, sizeof directory, "%s/", place.directory);
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        struct word name = {rows[i].name, strlen(rows[i].name)};
+        bool found;
+        char *path = find_named(name, directory, rows[i].is_picture, &found);
+        CHECK_ROW(found == rows[i].is_there, rows[i].name);
+        if (CHECK_ROW(path != NULL, rows[i].name)) {
+            CHECK_TEXT(path, name_file(&place, rows[i].found));
+        }
+        free(path);
+    }
+    /* Hostile ones. */
+    bool found = true;
+    CHECK(find_named((struct word){"", 0}, directory, true, &found) == NULL && !found);
+    for (size_t i = 0; i < sizeof long_name; i++) {
+        long_name[i] = i % 2 == 0 ? 'x' : '/';
+    }
+    char *path = find_named((struct word){long_name, sizeof long_name}, directory, true, &found);
+    CHECK(path != NULL && !found && strlen(path) > sizeof long_name);
+    free(path);
+    CHECK(unlink(name_file(&place, "Maps/sand.png")) == 0 && rmdir(name_file(&place, "Maps")) == 0);
+    place_remove(&place, "pic.png,both.png,both.tga,old.TGA,photo.jpg,twin.png,TWIN.png,"
+                         "no_ending.png,a.mtl,two words.mtl");
+}
+
+/* The first of the names counts, in whatever letters. */
+static void test_find_first(void) {
+    struct place place = place_create();
+    char directory[60], a[] = "a.tga", b[] = "b.tga", c[] = "c.tga", *const names[] = {a, b, c};
+    bool found = true;
+    snprintf(directory, sizeof directory, "%s/", place.directory);
+    for (int round = 0; round < 4; round++) {
+        static const char *const put[] = {NULL, "c.tga", "B.Tga", "A.TGA"};
+        static const char *const expected[] = {"a.tga", "c.tga", "B.Tga", "A.TGA"};
+        CHECK(round == 0 || put_text(name_file(&place, put[round]), ""));
+        char *path = find_first(directory, names, 3, &found);
+        CHECK(found == (round > 0));
+        CHECK_TEXT(path, name_file(&place, expected[round]));
+        free(path);
+    }
+    place_remove(&place, "c.tga,B.Tga,A.TGA");
+}
+
+UNIT_MAIN(TEST(test_find_named), TEST(test_find_first))
