@@ -19,7 +19,7 @@ handout:
 key: $(BUILD)/check models
 	@sh tests/teacher/handout/key.sh $(BUILD) '$(MAKE) -s' '$(OUT)' '$(LESSONS)'
 
-site: $(BUILD)/models/bust.obj
+site: $(BUILD)/models/bust.obj $(STEPS:%=$(BUILD)/moving/%)
 	@sh tests/teacher/site/site.sh '$(BUILD)' '$(OUT)'
 
 # ---- Hidden scenes ----

@@ -624,6 +624,9 @@ function chooseView(name) {
     }
 }
 
+// Over a lesson's page, Escape leads back to it.
+document.addEventListener("keydown", ({key}) => key === "Escape" && parent !== window && parent.postMessage("close", "*"));
+
 const arrows = {ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1]};
 
 canvas.addEventListener("keydown", event => {

@@ -1,9 +1,10 @@
 # A page of the site from what cmark-gfm makes of a text:
 #
-#     awk -v page=step05_zbuffer/index.html -v contents=FILE -v words=FILE -f page.awk
+#     awk -v page=step05_zbuffer/index.html -v contents=FILE -v sizes=FILE -v words=FILE -f page.awk
 #
-# `contents` has the pages in their order, a line each: address and title, with a tab between. For
-# the search, `words` gets a row of JavaScript for each section: address, titles, text.
+# `contents` has the pages in their order, a line each: address and title, with a tab between; `sizes`
+# has the pictures: address, width, height. For the search, `words` gets a row of JavaScript for each
+# section: address, titles, text.
 
 BEGIN {
     FS = "\t"
@@ -16,6 +17,7 @@ BEGIN {
         title[pages] = $2
         if ($1 == page) here = pages
     }
+    while ((getline <sizes) > 0) size[$1] = "width=" $2 " height=" $3
 }
 
 function plain(html) {
@@ -73,20 +75,37 @@ function link(line) {
     return line
 }
 
-# Pictures are WebP. In a lesson, those of its programs' scenes lead to the scene in the live page.
-function picture(line,    name, step, file, scene, found) {
-    gsub(/\.png"/, ".webp\"", line)
-    if (lesson == "" || line !~ /^(<p>)?<img/ || !match(line, /<img src="[^"]*\.webp"[^>]*>/)) return line
-    name = substr(line, RSTART, RLENGTH)
-    sub(/\.webp.*/, "", name)
-    step = match(name, /step[0-9]+_[a-z]+/) ? substr(name, RSTART, RLENGTH) : lesson
-    sub(/.*\//, "", name)
-    file = step "/scenes.h"
-    while (!found && (getline scene <file) > 0) found = index(scene, ".name = \"" name "\"")
-    close(file)
-    if (found) {
-        sub(/<img[^>]*>/, "<a class=live href=\"" root step "/live.html#scene=" name "\">&</a>", line)
+# A picture's address from the root of the site: without "..".
+function address_of(source,    path) {
+    path = page
+    sub(/[^\/]*$/, "", path)
+    path = path source
+    while (sub(/[^\/]+\/\.\.\//, "", path)) {}
+    return path
+}
+
+# Pictures are WebP, and say how large they are. One whose title begins with "live:" is a living figure:
+# figure.js wakes it. Below the first heading pictures wait until they come into view.
+function picture(line,    done, tag, source, offer) {
+    while (match(line, /<img [^>]*>/)) {
+        tag = substr(line, RSTART, RLENGTH)
+        done = done substr(line, 1, RSTART - 1)
+        line = substr(line, RSTART + RLENGTH)
+        match(tag, /src="[^"]*/)
+        source = address_of(substr(tag, RSTART + 5, RLENGTH - 5))
+        if (tag !~ / width=/ && source in size) sub(/<img/, "<img " size[source], tag)
+        if (sections != "") sub(/<img/, "<img loading=lazy", tag)
+        if (match(tag, / title="live: [^"]*"/)) {
+            living++
+            offer = substr(tag, RSTART + 7, RLENGTH - 7)
+            tag = "<figure data-live=" offer "><div class=pane>" substr(tag, 1, RSTART - 1) \
+                  substr(tag, RSTART + RLENGTH) "</div></figure>"
+        }
+        done = done tag
     }
+    line = done line
+    if (line ~ /^<p><figure/) gsub(/<\/?p>/, "", line)
+    gsub(/\.png"/, ".webp\"", line)
     return line
 }
 
@@ -123,11 +142,14 @@ function neighbour(step, name,    i) {
 END {
     end_section()
     print "<!DOCTYPE html>\n<html lang=en>\n<head>\n<meta charset=utf-8>"
-    print "<meta http-equiv=Content-Security-Policy content=\"default-src 'none'; script-src 'self'; " \
-          "style-src 'self'; img-src 'self' data:; frame-src 'self'; base-uri 'none'; form-action 'none'\">"
+    print "<meta http-equiv=Content-Security-Policy content=\"default-src 'none'; script-src 'self'" \
+          (living ? " 'wasm-unsafe-eval'; worker-src blob:" : "") "; style-src 'self'; img-src 'self' data:; frame-src 'self'; base-uri 'none'; form-action 'none'\">"
     print "<meta name=viewport content=\"width=device-width,initial-scale=1\">"
     print "<meta name=referrer content=no-referrer>\n<title>" title[here] "</title>"
     print "<link rel=icon href=\"data:,\">\n<link rel=stylesheet href=\"" root "live/site.css\">"
+    if (living) {
+        print "<script defer src=\"" root "live/wasm.js\"></script>\n<script defer src=\"" root "live/figure.js\"></script>"
+    }
     print "<script defer src=\"" root "live/site.js\"></script>\n</head>\n<body>\n<header>"
     print "<a href=\"#contents\">Contents</a>"
     print "<search><input id=search type=search aria-label=\"Search the course\" placeholder=Search hidden></search>"

@@ -1,4 +1,4 @@
-// What scripts add to a page of the site: search, and the live page in a picture's place.
+// What scripts add to a page of the site: search, and slides. Its living figures are in figure.js.
 "use strict";
 
 // ---- Search ----
@@ -48,28 +48,6 @@ function show() {
     }
 }
 
-// ---- The live page ----
-
-let opened = null; // the link, and the frame in its place: one at a time
-
-function open(link) {
-    const frame = document.createElement("iframe");
-    frame.src = link.href;
-    frame.title = `${link.firstElementChild.alt}, live`;
-    opened?.frame.replaceWith(opened.link);
-    link.replaceWith(frame);
-    opened = {link, frame};
-    frame.focus();
-}
-
-document.addEventListener("click", event => {
-    const link = event.target.closest("a.live");
-    if (link !== null && !event.ctrlKey && !event.metaKey && !event.shiftKey) {
-        event.preventDefault();
-        open(link);
-    }
-});
-
 // ---- A lesson as slides, of the same text ----
 
 const main = document.querySelector("main"), slides = element("main"), place = element("span");
@@ -92,6 +70,7 @@ function lead(block) {
 function add(heading, ...content) {
     const slide = element("section", element("h1", ...heading.cloneNode(true).childNodes), ...content);
     slide.tabIndex = 0; // it may be higher than the window
+    slide.querySelectorAll("figure").forEach(figure => figures.sleep(figure));
     slide.querySelectorAll("[id]").forEach(part => part.removeAttribute("id"));
     for (const program of slide.querySelectorAll("pre")) { // as large as its longest line allows
         program.style.setProperty("--columns", Math.max(...program.textContent.split("\n").map(line => line.length), 1));
@@ -108,7 +87,7 @@ function button(sign, name, act) {
 }
 
 // What is shown large: a picture, a program, a table; a question comes with its answer.
-const exhibits = "p:has(img), a.live, pre, div.wide, li:has(> details)";
+const exhibits = "p:has(img), figure, pre, div.wide, li:has(> details)";
 
 function make_slides() {
     let heading = null, words = null, count = 0;
@@ -174,7 +153,8 @@ if (main.querySelector("h2") !== null) {
     follow();
     document.addEventListener("keydown", event => {
         const own = event.key === " " ? "input, iframe, button, summary" : "input, iframe"; // keys of these
-        if (event.ctrlKey || event.metaKey || event.altKey || event.target.matches(own)) return;
+        if (event.ctrlKey || event.metaKey || event.altKey || event.target.matches(own) ||
+            document.querySelector("dialog") !== null) return;
         const keys = shown < 0 ? {s: () => show_slide(0)} : {
             ArrowRight: go_on, PageDown: go_on, " ": go_on, ArrowLeft: go_back, PageUp: go_back,
             Home: () => show_slide(0), End: () => show_slide(Infinity), Escape: () => show_slide(-1)};

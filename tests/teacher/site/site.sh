@@ -7,7 +7,7 @@
 # OUT is a directory that is not there yet, or empty. Each text of README.md and of the lessons
 # becomes a page next to its pictures. Pages work from disk as from any server, and without scripts;
 # they load nothing from elsewhere. Solutions are there only as compiled code, in live/program.js.
-# BUILD has the models.
+# BUILD has the models, and the programs of `make live`: what they can draw is known by them.
 #
 # Exit status: 0 done; 1 it cannot be done, and OUT is as it was; 2 wrong usage; 77 a tool is missing.
 
@@ -44,6 +44,21 @@ done
 } | put_all
 finish_texts
 
+# What a picture's title says of a living figure must be something that the lesson's program can do.
+for lesson in $lessons; do
+    "$build/moving/$lesson" --live </dev/null |
+        awk -f tests/teacher/site/figures.awk - "$lesson"/*.md ||
+        fail 1 "$lesson shows a living figure that its program cannot draw"
+done
+
+# The sizes of all pictures: a PNG has them in bytes 16 to 23, an SVG in its first element.
+(cd "$new" && find . -name '*.png' -o -name '*.svg') | while IFS= read -r picture; do
+    case $picture in
+    *.png) od -An -tu1 -j16 -N8 "$new/$picture" | awk '{ print $3 * 256 + $4 "\t" $7 * 256 + $8 }' ;;
+    *) sed -n 's/^<svg .* width="\([0-9]*\)" height="\([0-9]*\)".*/\1\t\2/p' "$new/$picture" ;;
+    esac | awk -v picture="${picture#./}" '{ print picture "\t" $0 }'
+done >"$work/sizes"
+
 # Small pictures keep every pixel; large ones change so little that nobody sees it.
 find "$new" -name '*.png' | while IFS= read -r picture; do
     kind='-lossless -z 6'
@@ -63,7 +78,7 @@ done >"$work/contents"
 mkdir "$new/live"
 for text in $texts; do
     cmark-gfm --unsafe -e table -e strikethrough -e autolink "$new/$text" >"$work/text" &&
-        awk -v page="$(page_of "$text")" -v contents="$work/contents" -v words="$work/words" \
+        awk -v page="$(page_of "$text")" -v contents="$work/contents" -v sizes="$work/sizes" -v words="$work/words" \
             -f tests/teacher/site/page.awk "$work/text" >"$new/$(page_of "$text")" &&
         cat "$work/words" >>"$work/all_words" && rm "$new/$text" || fail 1 "cannot write the page of $text"
 done

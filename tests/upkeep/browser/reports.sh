@@ -106,8 +106,9 @@ judge_live() {
 }
 
 # The lessons as web pages, as far as their tools are here.
+# shellcheck disable=SC2046 # one word a program
 judge_site() {
-    make -s models && sh tests/teacher/site/site.sh build "$work/site" >"$work/log" 2>&1
+    make -s models $(moving_programs) && sh tests/teacher/site/site.sh build "$work/site" >"$work/log" 2>&1
     case $? in
     0) SITE=$work/site node --test tests/upkeep/browser/site.js ;;
     77) skipped "the site" "$(sed 's/.*install //' "$work/log")" ;;
