@@ -171,8 +171,12 @@ $(FIGURES:%=figures-%): figures-%: $(BUILD)/figures/% $(BUILD)/models/bust.obj
 	@mkdir -p $(BUILD)/out/$*/figures
 	$(Q)$(BUILD)/figures/$* $(BUILD)/out/$*/figures >$(BUILD)/figures/$*.txt && cat $(BUILD)/figures/$*.txt
 
-$(FIGURES:%=lesson-figures-%): lesson-figures-%: $(BUILD)/figures/% $(BUILD)/models/bust.obj
+# Scenes of live.c that README.md shows, ![...](figures/NAME.png "live: NAME, ..."), are drawn by it.
+$(FIGURES:%=lesson-figures-%): lesson-figures-%: $(BUILD)/figures/% $(BUILD)/models/bust.obj $(BUILD)/moving/%
 	@mkdir -p $*/figures
+	$(Q)for scene in $$(sed -n 's/^!.*(figures\/\([a-z_]*\)\.png "live: \1,.*/\1/p' $*/README.md); do \
+	    $(BUILD)/moving/$* --only $$scene --format png -o $*/figures || exit; \
+	done
 	$(Q)$(BUILD)/figures/$* $*/figures >$(BUILD)/figures/$*.txt && cat $(BUILD)/figures/$*.txt
 
 $(BUILD)/figures/%: tests/lessons/%/figures.c $(BUILD)/tests/bench/figures.o $(BUILD)/libcommon.a $(BUILD)/flags

@@ -51,6 +51,16 @@ static void draw_holes(void) {
     figure_save_detail(&image, detail_of_whole(&image, 2, 0), "holes");
 }
 
+/* One line each, for the walk by hand and for ties. */
+static void draw_steps(void) {
+    struct image image = figure_image(6, 3);
+    line(&image, (struct pixel){0, 0}, (struct pixel){5, 2}, white);
+    figure_save_detail(&image, detail_of_whole(&image, 64, 0), "walk");
+    image = figure_image(21, 12);
+    attempt_by_cases(&image, (struct pixel){1, 1}, (struct pixel){19, 10}, white);
+    figure_save_detail(&image, detail_of_whole(&image, 16, 0), "tie");
+}
+
 /* A line as two versions draw it. */
 struct line_pair {
     const char *name;
@@ -124,6 +134,7 @@ void draw_figures(struct model *bust) {
     draw_made();
     draw_attempts();
     draw_holes();
+    draw_steps();
     draw_pairs();
     draw_cases();
 }

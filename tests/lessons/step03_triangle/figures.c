@@ -60,6 +60,20 @@ static void draw_half_planes(void) {
     figure_save_detail(&image, detail_of_whole(&image, 60, GRID), "half_planes");
 }
 
+/* The triangle by hand, of five pixels; and two that share an edge. */
+static void draw_few(void) {
+    const struct vec2 by_hand[3] = {{1.5, 1.5}, {5.5, 1.5}, {1.5, 4.5}};
+    const struct vec2 two[2][3] = {{{4.5, 4.5}, {30.5, 10.5}, {14.5, 34.5}},
+                                   {{30.5, 10.5}, {36.5, 36.5}, {14.5, 34.5}}};
+    struct image image = figure_image(7, 6);
+    draw_spans(&image, by_hand, color_grey(255));
+    figure_save_detail(&image, detail_of_whole(&image, 64, 0), "by_hand");
+    image = figure_image(40, 40);
+    draw_spans(&image, two[0], color_rgb(255, 140, 0));
+    draw_spans(&image, two[1], color_rgb(80, 80, 255));
+    figure_save_detail(&image, detail_of_whole(&image, 12, 0), "neighbours");
+}
+
 /* The eye of the bust, enlarged. */
 static const struct detail eye = {308, 512, 80, 60, .zoom = 6};
 
@@ -91,5 +105,6 @@ static void draw_sweep(const struct model *bust) {
 
 void draw_figures(struct model *bust) {
     draw_half_planes();
+    draw_few();
     draw_sweep(bust);
 }

@@ -4,6 +4,7 @@
  */
 'use strict';
 const assert = require('node:assert/strict');
+const {spawnSync} = require('node:child_process');
 const fs = require('node:fs');
 const http = require('node:http');
 const path = require('node:path');
@@ -87,11 +88,7 @@ for (const lesson of lessons) {
                 const png = fs.readFileSync(`tests/reference/${lesson}/${scene}.png`).toString('base64');
                 assert.equal(await page.evaluate(countWrong, [scene, `data:image/png;base64,${png}`]), 0, scene);
             }
-            const linked = pages.flatMap(file => [...text(file).matchAll(/(step\w+)\/live\.html#scene=(\w+)/g)])
-                .filter(([, of]) => of === lesson).map(([, , scene]) => scene);
-            assert.ok(linked.length > 0);
             assert.ok(await page.isVisible('a[href="index.html"]'));
-            assert.deepEqual(linked.filter(name => !scenes.includes(name)), []);
         }));
 }
 
@@ -102,7 +99,7 @@ test('all links lead somewhere, and none to a source', () => {
             const [file, id] = link.split('#');
             const target = path.join(path.dirname(page), file || path.basename(page));
             const there = /^(https?|data):/.test(link) || files.includes(target) &&
-                (!id || id.startsWith('scene=') || text(target).includes(`id="${id}"`));
+                (!id || text(target).includes(`id="${id}"`));
             there || wrong.push(`${page}: ${link}`);
         }
     }
@@ -145,25 +142,190 @@ for (const [kind, window] of Object.entries({desktop, phone})) {
     });
 }
 
-test('the keys find a word and open the live page, in the place of the picture', () =>
+test('the keys find a word, and open everything about a figure over the page', () =>
     on(served('step10_phong/index.html'), desktop, async page => {
         await page.focus('#search');
         await page.keyboard.type('fill rule');
         await page.waitForSelector('#found a:text("triangle")');
         await page.screenshot({path: `${pictures}/site_search.png`});
         await page.fill('#search', '');
-        await page.focus('a.live');
-        const scene = new URL(await page.getAttribute('a.live', 'href'), page.url()).hash;
-        await page.keyboard.press('Enter');
-        const live = await (await page.waitForSelector('iframe')).contentFrame();
+        const figure = page.locator('figure[data-live^="live: shine"]'), more = figure.locator('.more');
+        await figure.scrollIntoViewIfNeeded();
+        await more.waitFor();
+        await figure.locator('.lamp').press('ArrowLeft');
+        await more.press('Enter');
+        const live = await (await page.waitForSelector('dialog iframe')).contentFrame();
         await drawn(live);
-        assert.equal(new URL(live.url()).hash, scene);
+        const shown = new URLSearchParams(new URL(live.url()).hash.slice(1));
+        assert.equal(shown.get('scene'), 'shine');
+        assert.equal(shown.get('light').split(',').length, 3);
         const before = await live.evaluate(() => String(shown.pixels));
         await live.focus('#picture');
         await page.keyboard.press('ArrowLeft');
         await live.waitForFunction(before => String(shown.pixels) !== before, before);
         await page.screenshot({path: `${pictures}/site_live.png`});
+        await page.keyboard.press('Escape');
+        await page.waitForSelector('dialog', {state: 'detached'});
+        assert.ok(await more.evaluate(button => button === document.activeElement));
     }));
+
+// ---- Living figures ----
+
+/* What the lesson's program says, built for this machine: its scenes, or the answer to a request. */
+function printed(lesson, request = '') {
+    const {stdout} = spawnSync(`build/moving/${lesson}`, ['--live'], {input: request, maxBuffer: 1e8});
+    const rest = stdout.subarray(stdout.indexOf(10) + 1);
+    if (request === '') return JSON.parse(stdout);
+    const lines = rest.toString('latin1').split('\n', 100), [, width, height, , count] = lines[0].split(' ').map(Number);
+    const counters = Object.fromEntries(lines.slice(1, 1 + count).filter(line => line[0] !== ' ').map(line => line.split(' ')));
+    const notes = lines.slice(1, 1 + count).filter(line => line[0] === ' ');
+    return {width, height, counters, notes, pixels: rest.subarray(rest.length - 4 * width * height)};
+}
+
+/* A figure's picture, as large as one is; and in how many bytes it is another one than that. */
+const differs = (figure, [width, height, bytes]) => figure.evaluate(async (figure, [width, height, base64]) => {
+    const canvas = figure.querySelector('canvas'), large = new OffscreenCanvas(width, height);
+    const context = large.getContext('2d', {willReadFrequently: true});
+    context.imageSmoothingEnabled = false;
+    context.drawImage(canvas, 0, 0, width, height);
+    const {data} = context.getImageData(0, 0, width, height), wanted = Uint8Array.from(atob(base64), c => c.charCodeAt(0));
+    return width % canvas.width + data.filter((v, i) => v !== wanted[i]).length;
+}, [width, height, bytes]);
+
+/* A PNG's pixels as four bytes each, by the browser. */
+const decoded = (page, file) => page.evaluate(async png => {
+    const image = new Image();
+    image.src = png;
+    await image.decode();
+    const context = new OffscreenCanvas(image.width, image.height).getContext('2d', {willReadFrequently: true});
+    context.drawImage(image, 0, 0);
+    const {data} = context.getImageData(0, 0, image.width, image.height);
+    let text = '';
+    for (let i = 0; i < data.length; i += 8192) text += String.fromCharCode(...data.subarray(i, i + 8192));
+    return [image.width, image.height, btoa(text)];
+}, `data:image/png;base64,${fs.readFileSync(file).toString('base64')}`);
+
+/* What a figure's title asks the program for, with these numbers, text, light or camera; said here once more. */
+function requestOf(lesson, title, changes) {
+    const [scene, ...options] = title.replace('live: ', '').split(', ');
+    const given = Object.fromEntries(options.map(option => [option.slice(0, option.indexOf('=')), option.slice(option.indexOf('=') + 1)]));
+    const {show, tell = '', at, text, ...numbers} = {...given, ...changes};
+    const about = printed(lesson).scenes.find(({name}) => name === scene);
+    const words = ['--stats', ...about.text === undefined ? ['--only', scene] : []];
+    for (const [name, value] of Object.entries(numbers)) {
+        words.push(...['light', 'eye', 'center', 'frame'].includes(name) ? [`--${name}`, value] : ['--set', `${name}=${value}`]);
+    }
+    if (at) words.push('--probe', at);
+    const lines = about.text === undefined ? '' : ` text\n${(text ?? about.text).replaceAll('; ', '\n').trim()}\nend`;
+    return {scene: about, given, tells: tell.split(',').filter(Boolean), request: `${words.join(' ')}${lines}\n`};
+}
+
+/* It shows that picture, and those numbers. */
+async function judge(figure, lesson, changes, what) {
+    const title = await figure.getAttribute('data-live'), {tells, request} = requestOf(lesson, title, changes);
+    const {width, height, counters, notes, pixels} = printed(lesson, request);
+    let count = -1; /* it comes to rest: what is dear is drawn small until then */
+    for (let i = 0; count !== 0 && i < 100; i++) {
+        await figure.page().waitForTimeout(i > 0 ? 100 : 0);
+        count = await figure.locator('canvas').evaluate((c, width) => c.width - width, width) === 0
+            ? await differs(figure, [width, height, pixels.toString('base64')]) : -1;
+    }
+    assert.equal(count, 0, `${what}: ${request}`);
+    const numbers = await figure.locator('.numbers').textContent();
+    for (const word of tells) {
+        const said = word in counters ? [`${word.replaceAll('_', ' ')}: ${Number(counters[word]).toLocaleString('en')}`]
+            : notes.map(note => note.slice(1).replace(/^triangle 1: /, '')).filter(note => ` ${note}`.includes(` ${word}`));
+        assert.ok(said.every(text => numbers.includes(text)), `${what}: ${numbers} is not ${said}`);
+    }
+    return request;
+}
+
+/* Every figure of a lesson: asleep until it comes into view, then the still picture's pixels; and whatever is
+   touched, what the program prints for the same options. */
+for (const lesson of lessons) {
+    test(`the living figures of ${lesson}`, () => on(served(`${lesson}/index.html`), desktop, async page => {
+        const figures = await page.locator('figure[data-live]').all();
+        assert.ok(figures.length >= 3, 'at least three');
+        assert.equal(await figures.at(-1).locator('canvas').count(), 0, 'it is awake too early');
+        for (const [number, figure] of figures.entries()) {
+            const title = await figure.getAttribute('data-live'), what = `${number + 1} ${title}`;
+            const {scene, given} = requestOf(lesson, title), shows = given.show.split(',');
+            await figure.scrollIntoViewIfNeeded();
+            await figure.locator('.more').waitFor({timeout: 60000});
+            const still = path.join(lesson, (await figure.locator('img').getAttribute('src')).replace('.webp', '.png'));
+            assert.equal(await differs(figure, await decoded(page, still)), 0, `${what}: ${still} is another picture`);
+            let changes = {}, asked = await judge(figure, lesson, changes, what), told = '';
+            for (const name of shows) {
+                const value = scene.values?.find(value => value.name === name);
+                if (value) {
+                    const control = figure.locator('.panel').locator('label, .choice, .toggle').nth(
+                        shows.filter(name => scene.values.some(value => value.name === name)).indexOf(name));
+                    const kind = await control.evaluate(one => one.className || one.tagName);
+                    const now = Number(given[name] ?? value.value), next = now < value.most ? value.most : value.least;
+                    if (kind === 'LABEL') await control.locator('input').press(now < value.most ? 'End' : 'Home');
+                    else if (kind === 'toggle') await control.press('Space');
+                    else await control.locator('button').nth(next - value.least).click();
+                    changes = {...changes, [name]: next};
+                } else if (name === 'points') {
+                    const handle = figure.locator('.point').last(), before = await handle.getAttribute('aria-valuetext');
+                    await handle.press('Shift+ArrowLeft');
+                    const after = await handle.getAttribute('aria-valuetext');
+                    assert.notEqual(before, after, what);
+                    if (scene.text === undefined) {
+                        const last = scene.values.filter(({name}) => /_[xy]$/.test(name)).slice(-2), now = after.split(', ');
+                        changes = {...changes, [last[0].name]: now[0], [last[1].name]: now[1]};
+                    } else {
+                        const at = text => ` ${text.replace(',', ' ')} `;
+                        changes = {...changes, text: (given.text ?? scene.text).replaceAll('; ', '\n').replaceAll(at(before), at(after))};
+                    }
+                } else if (name === 'pixel') {
+                    const handle = figure.locator('.probe');
+                    await handle.press('ArrowRight');
+                    changes = {...changes, at: await handle.getAttribute('aria-valuetext')};
+                    assert.equal(changes.at, given.at.replace(/^\d+/, x => Number(x) + 1), what);
+                } else if (name === 'wrong') {
+                    await figure.locator('.toggle').last().press('Space');
+                    const right = printed(lesson, requestOf(lesson, title, {...changes, attempt: 0}).request);
+                    const {width, pixels} = printed(lesson, requestOf(lesson, title, changes).request);
+                    const wrong = right.pixels.reduce((sum, _, i) => sum + (i % 4 === 0 &&
+                        pixels.compare(right.pixels, i, i + 4, i, i + 4) !== 0), 0);
+                    await page.waitForFunction(([figure, text]) => figure.textContent.includes(text),
+                                               [await figure.elementHandle(), `${wrong.toLocaleString('en')} pixels differ`]);
+                    await page.waitForFunction(([figure, width, wrong]) => {
+                        const canvas = figure.querySelector('canvas');
+                        const {data} = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
+                        const marked = data.filter((v, i) => i % 4 === 0 && ['235,60,50', '70,110,255'].includes(data.slice(i, i + 3).join()));
+                        return canvas.width === width && marked.length === wrong;
+                    }, [await figure.elementHandle(), width, wrong]);
+                    await figure.locator('.toggle').last().press('Space');
+                } else { /* by a hand: at the program it is the direction that the page says */
+                    const handle = figure.locator(name === 'light' ? '.lamp' : '.whole');
+                    await handle.press('ArrowRight');
+                    const said = await handle.getAttribute('aria-valuetext');
+                    const sent = await figure.locator('.more').evaluate(button => (button.click(), document.querySelector('dialog iframe').src));
+                    await page.click('dialog > button');
+                    const hash = new URLSearchParams(new URL(sent).hash.slice(1)), names = name === 'light' ? ['light'] : ['center', 'eye'];
+                    for (const name of names) {
+                        changes = {...changes, [name]: hash.get(name).split(',').map(x => Number(Number(x).toFixed(4))).join()};
+                    }
+                    const length = name === 'light' ? Math.hypot(...hash.get('light').split(',')) : 1;
+                    assert.ok(said.endsWith(hash.get(names.at(-1)).split(',').map(x => (x / length).toFixed(2)).join()), `${what}: ${said}`);
+                    assert.notEqual(hash.get(names.at(-1)), String(scene[names.at(-1)]), what);
+                }
+                if (name !== 'wrong' || value) {
+                    const again = await judge(figure, lesson, changes, what);
+                    assert.notEqual(again, asked, `${what}: ${name} changes nothing`);
+                    asked = again;
+                }
+                told += await figure.locator('.numbers').textContent();
+            }
+            assert.ok(!given.tell || told !== '', `${what}: it never tells a number`);
+        }
+        await page.evaluate(axe.source);
+        const {violations} = await page.evaluate(() => axe.run());
+        assert.deepEqual(violations.map(v => `${v.id}: ${v.nodes.map(n => n.html + n.failureSummary)}`), []);
+    }));
+}
 
 test('affine and correct stand side by side, which needs no reference', () =>
     on(onDisk('step08_projection/live.html') + '#scene=wall&affine=1&far=5&view=difference', desktop, async page => {
@@ -182,11 +344,11 @@ test('without scripts the text is there', async () => {
     await page.goto(onDisk('step03_triangle/index.html'));
     assert.ok(await page.isVisible('main pre'));
     assert.ok(await page.isHidden('#search'));
+    assert.ok(await page.isVisible('figure img')); /* a picture, and nothing that looks like a button */
+    assert.equal(await page.locator('main :is(button, input, .handle)').count(), 0);
     const next = await page.textContent('[rel=next]');
     await page.click('[rel=next]');
     assert.equal(await page.textContent('h1'), next);
-    await page.click('a.live');
-    assert.ok(await page.isVisible('#controls'));
     await context.close();
 });
 
@@ -210,9 +372,9 @@ test('a lesson as slides: by keys, questions with their answers, living pictures
         assert.equal(new URL(page.url()).hash, `#slide=${count}`);
         assert.ok(await shown.locator('details[open]').count() > 0);
         await page.keyboard.press('Home');
-        await page.click('#slides section.shown a.live');
-        assert.equal(await shown.locator('iframe').count(), 1);
-        await page.locator('#slides section.shown h1').click(); /* the keys come back from the frame */
+        while (await shown.locator('figure').count() === 0) await page.keyboard.press('ArrowRight');
+        await shown.locator('.more').waitFor({timeout: 60000}); /* it wakes */
+        await shown.locator('h1').click();
         await page.keyboard.press('Escape');
         assert.equal(await page.locator('main:not(#slides)').isVisible(), true);
         await page.goto(served('step08_projection/index.html#slide=3'));
