@@ -73,7 +73,7 @@ $(BUILD)/tests/check/page/page_files.c: $(foreach file,$(PAGE_FILES),$(lastword 
 	   for file in $(PAGE_FILES); do \
 	       echo "const char *const page_$${file%%=*}[] = {"; \
 	       case $$file in \
-	       *.html) sed -n '/^<header>/,/^<.main>/p' "$${file#*=}" | sed 's/main class/div class/; s/.main>/\/div>/' ;; \
+	       *.html) sed -n '/^<header>/,/^<.main>/p' "$${file#*=}" | sed '/figures.html/d; s/main class/div class/; s/.main>/\/div>/' ;; \
 	       *) cat "$${file#*=}" ;; \
 	       esac | \
 	       sed 's/[\\"]/\\&/g; s/.*/    "&\\n",/'; \

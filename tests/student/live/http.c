@@ -219,7 +219,7 @@ void http_answer(struct http_request *request, int status, const char *type, con
         "HTTP/1.1 %d %s\r\nContent-Type: %s\r\nContent-Length: %zu\r\n"
         "Cache-Control: no-store\r\nX-Content-Type-Options: nosniff\r\n"
         "Content-Security-Policy: default-src 'self'; img-src 'self' data:; base-uri 'none'; "
-        "frame-ancestors 'none'; form-action 'none'\r\n"
+        "frame-ancestors 'self'; form-action 'none'\r\n"
         "Referrer-Policy: no-referrer\r\nConnection: close\r\n\r\n",
         status, status == 200 ? "OK" : "Not Found", type, size);
     if (send_all(request->connection, head, (size_t)length)) {

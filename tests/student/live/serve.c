@@ -302,10 +302,16 @@ static void answer(struct live *live, struct http_request *request) {
         const char *path, *file, *type;
     } files[] = {
         {"", "tests/student/live/page.html", "text/html; charset=utf-8"},
+        {"figures.html", "tests/student/live/figures.html", "text/html; charset=utf-8"},
+        {"figures.css", "tests/student/live/figures.css", "text/css"},
+        {"figures.js", "tests/student/live/figures.js", "text/javascript"},
+        {"figure.css", "tests/student/live/figure.css", "text/css"},
+        {"figure.js", "tests/student/live/figure.js", "text/javascript"},
         {"page.css", "tests/student/live/page.css", "text/css"},
         {"page.js", "tests/student/live/page.js", "text/javascript"},
         {"server.js", "tests/student/live/server.js", "text/javascript"},
     };
+    char path[DRAWN_PATH_LIMIT];
     for (size_t i = 0; i < sizeof files / sizeof files[0]; i++) {
         if (!request->is_post && strcmp(request->path, files[i].path) == 0) {
             answer_file(request, files[i].file, files[i].type);
@@ -316,9 +322,14 @@ static void answer(struct live *live, struct http_request *request) {
         answer_frame(live, request);
     } else if (strcmp(request->path, "state") == 0) {
         answer_state(live, request);
+    } else if (strcmp(request->path, "text") == 0) {
+        snprintf(path, sizeof path, "%s/README.md", live->step);
+        answer_file(request, path, "text/plain; charset=utf-8");
     } else if (strncmp(request->path, "reference/", 10) == 0) {
-        char path[DRAWN_PATH_LIMIT];
         snprintf(path, sizeof path, "tests/reference/%s/%s", live->step, request->path + 10);
+        answer_file(request, path, "image/png");
+    } else if (strncmp(request->path, "figures/", 8) == 0) {
+        snprintf(path, sizeof path, "%s/%s", live->step, request->path);
         answer_file(request, path, "image/png");
     } else {
         http_answer(request, 404, "text/plain", "", 0);

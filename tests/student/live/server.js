@@ -21,6 +21,7 @@ const program = {
         const answer = await fetchFrom("frame", {method: "POST", body: request});
         return new Uint8Array(await answer.arrayBuffer());
     },
+    everything: "./", // the page with all that can be asked of it
     // The address of a picture. A program without this has no references to show.
     reference(scene) {
         return `reference/${scene}.png`;

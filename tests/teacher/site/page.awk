@@ -146,7 +146,8 @@ END {
           (living ? " 'wasm-unsafe-eval'; worker-src blob:" : "") "; style-src 'self'; img-src 'self' data:; frame-src 'self'; base-uri 'none'; form-action 'none'\">"
     print "<meta name=viewport content=\"width=device-width,initial-scale=1\">"
     print "<meta name=referrer content=no-referrer>\n<title>" title[here] "</title>"
-    print "<link rel=icon href=\"data:,\">\n<link rel=stylesheet href=\"" root "live/site.css\">"
+    print "<link rel=icon href=\"data:,\">\n<link rel=stylesheet href=\"" root "live/figure.css\">\n" \
+          "<link rel=stylesheet href=\"" root "live/site.css\">"
     if (living) {
         print "<script defer src=\"" root "live/wasm.js\"></script>\n<script defer src=\"" root "live/figure.js\"></script>"
     }

@@ -114,13 +114,13 @@ printf '%s\n' $lessons | xargs -P "$(getconf _NPROCESSORS_ONLN)" -I @ \
 # ---- The live page of each lesson ----
 
 for file in tests/student/live/*.css tests/student/live/*.js tests/teacher/site/*.css tests/teacher/site/*.js; do
-    [ "${file##*/}" = server.js ] || put "$file" "live/${file##*/}"
+    case $file in */server.js | */figures.*) ;; *) put "$file" "live/${file##*/}" ;; esac # of make live
 done
 policy="default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self'; worker-src blob:; img-src data:"
 for lesson in $lessons; do
     sed -e 's|=\([a-z]*\.[cj]s*\)>|=../live/\1>|' -e 's|/server.js|/wasm.js|' \
         -e "s|<meta charset=utf-8>|&<meta http-equiv=Content-Security-Policy content=\"$policy\">|" \
-        -e "s|^<header>|&<a href=index.html target=_top>$(sed -n '1s/^# //p' "$lesson/README.md")</a>|" \
+        -e "s|^<a href=figures.html>.*|<a href=index.html target=_top>$(sed -n '1s/^# //p' "$lesson/README.md")</a>|" \
         tests/student/live/page.html >"$new/$lesson/live.html"
 done
 end_out

@@ -114,5 +114,6 @@ const program = (() => {
             return {version: 1, step, message: "", program: await started};
         },
         frame: request => ask({request}),
+        everything: "live.html", // the page with all that can be asked of it
     };
 })();

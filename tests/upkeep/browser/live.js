@@ -701,6 +701,30 @@ const programs = () => fs.readdirSync('/proc').filter(id => {
     }
 });
 
+test("the lesson's figures, by one's own program, now and after the next save", () =>
+    on('step03_triangle', desktop, '', async (page, address) => {
+        await page.click('header a');
+        const figure = page.locator('figure').first(), canvas = figure.locator('canvas');
+        await figure.locator('.more').waitFor({timeout: 60000});
+        const white = () => canvas.evaluate(canvas => canvas.getContext('2d')
+            .getImageData(0, 0, canvas.width, canvas.height).data.filter((v, i) => i % 4 === 0 && v === 255).length);
+        assert.equal(await white(), 5);
+        assert.match(await figure.locator('.numbers').textContent(), /E0 = \+5\.0000, inside/);
+        await changed('step03_triangle', 'if (columns.begin >= columns.end', 'if (columns.begin < columns.end', async () => {
+            for (let i = 0; i < 600 && await white() > 0; i++) await page.waitForTimeout(100);
+            assert.equal(await white(), 0);
+            await page.click('button:text-is("the lesson\'s")');
+            assert.ok(await canvas.isHidden() && await figure.locator('img').isVisible());
+            await page.click('button:text-is("yours")');
+            assert.ok(await canvas.isVisible());
+        });
+        await figure.locator('.more').click(); /* all scenes, over the page */
+        await page.frameLocator('dialog iframe').locator('#pixel:has-text("ms")').waitFor();
+        await page.click('dialog > button');
+        await picture(page, 'figures');
+        assert.equal(new URL(page.url()).pathname, new URL(`${address}figures.html`).pathname);
+    }));
+
 test('a fault of the compiler, a crash and an endless loop are said, and mended at the next save', () =>
     on('step05_zbuffer', desktop, '#scene=depth', async page => {
         await page.focus('#picture');

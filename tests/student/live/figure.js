@@ -1,6 +1,6 @@
-// Living figures of a lesson's page: where the text shows a picture with a title "live: ...", the lesson's
-// own program draws it as soon as it comes into view, and again whenever one of its controls moves. What
-// a title may say is in figures.awk, which checks it. `program` is the one of wasm.js.
+// Living figures: where a lesson's text shows a picture with a title "live: ...", the lesson's program draws
+// it as soon as it comes into view, and again whenever one of its controls moves. What a title may say is
+// in figures.awk, which checks it. `program` is the one of server.js or, in the course's web pages, wasm.js.
 "use strict";
 
 const figures = (() => {
@@ -318,6 +318,7 @@ const figures = (() => {
         const panel = make("div", {className: "panel"});
         pane.append(canvas);
         await draw(false);
+        awake.push(() => refresh());
         for (const name of shows) {
             const value = values.find(value => value.name === name) ??
                 {wrong: {name, help: "wrong pixels", least: 0, most: 1, step: 1},
@@ -325,7 +326,7 @@ const figures = (() => {
             if (value) {
                 panel.append(makeControl(value));
             } else {
-                handles[name]();
+                handles[name]?.(); // a hand-out lacks some values
             }
         }
         panel.append(numbers, make("button", {type: "button", className: "more", textContent: "\u2022\u2022\u2022",
@@ -345,7 +346,7 @@ const figures = (() => {
     // ---- Everything else about a picture: the live page, over this one ----
 
     function openPanel(title, chosen) {
-        const frame = make("iframe", {title, src: `live.html#${new URLSearchParams(
+        const frame = make("iframe", {title, src: `${program.everything}#${new URLSearchParams(
             Object.entries(chosen).filter(([, value]) => value !== undefined))}`});
         const dialog = make("dialog", {className: "everything"},
                             make("button", {type: "button", textContent: "Close", onclick: () => dialog.close()}), frame);
@@ -360,6 +361,8 @@ const figures = (() => {
         dialog.showModal();
     }
 
+    const awake = []; // how to draw each figure again
+
     // ---- They wake before they come into view ----
 
     const watch = new IntersectionObserver(entries => {
@@ -373,11 +376,13 @@ const figures = (() => {
     document.querySelectorAll("figure[data-live]").forEach(figure => watch.observe(figure));
 
     return {
-        // What is a copy of a figure sleeps.
+        // What is new, or a copy of a figure, sleeps until it comes into view.
         sleep(figure) {
             figure.querySelectorAll("canvas, .handle, .panel").forEach(part => part.remove());
             delete figure.dataset.state;
             watch.observe(figure);
         },
+        // The program is another one.
+        refresh: () => awake.forEach(draw => draw()),
     };
 })();
