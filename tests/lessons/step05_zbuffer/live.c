@@ -25,10 +25,17 @@ static const struct scene_value live_rows_values[] = {
     {.name = NULL},
 };
 
+static int live_order(double a, double b) {
+    return (a > b) - (a < b);
+}
+
+/* At equal depth the one that ends farther to the left comes first, or has less red, so that qsort()
+ * has no choice. */
 static int live_compare_segments(const void *a, const void *b) {
     const struct segment *s = a, *t = b;
-    const double depth = s->a.y + s->b.y, other = t->a.y + t->b.y;
-    return (depth > other) - (depth < other);
+    const int depths = live_order(s->a.y + s->b.y, t->a.y + t->b.y);
+    const int ends = live_order(s->b.x, t->b.x);
+    return depths != 0 ? depths : ends != 0 ? ends : live_order(s->color.r, t->color.r);
 }
 
 static bool live_rows(struct drawing *drawing, struct image *image, struct error *error) {
@@ -83,7 +90,8 @@ struct live_painted {
 
 static int live_compare_painted(const void *a, const void *b) {
     const struct live_painted *p = a, *q = b;
-    return (p->depth > q->depth) - (p->depth < q->depth);
+    const int depths = live_order(p->depth, q->depth);
+    return depths != 0 ? depths : (p->face > q->face) - (p->face < q->face);
 }
 
 /* The painter's order of the faces, to be freed by the caller; NULL when memory runs out. */

@@ -65,7 +65,7 @@ finish_texts() {
     for text in "$new"/*.md "$new"/*/*.md "$new"/*/*/*.md; do
         [ -f "$text" ] || continue
         directory=$(dirname "$text")
-        grep -o '\](\([^)#]*\)[^)]*)' "$text" | sed 's/^](//; s/[#)].*//' | sort -u |
+        grep -o '\](\([^)#]*\)[^)]*)' "$text" | sed 's/^](//; s/[ #)].*//' | sort -u |
             while IFS= read -r link; do
                 case $link in '' | http*) continue ;; esac
                 [ -e "$directory/$link" ] || printf '%s\n' "$link"
@@ -81,7 +81,7 @@ finish_texts() {
                     whole = substr(rest, RSTART, RLENGTH)
                     words = target = whole
                     sub(/^\[/, "", words); sub(/\]\(.*/, "", words)
-                    sub(/.*\]\(/, "", target); sub(/[#)].*/, "", target)
+                    sub(/.*\]\(/, "", target); sub(/[ #)].*/, "", target)
                     before = substr(rest, 1, RSTART - 1)
                     if (target in gone) sub(/!$/, "", before)
                     # A row about it, or a line that is nothing else, goes with it.

@@ -706,8 +706,11 @@ test("the lesson's figures, by one's own program, now and after the next save", 
         await page.click('header a');
         const figure = page.locator('figure').first(), canvas = figure.locator('canvas');
         await figure.locator('.more').waitFor({timeout: 60000});
-        const white = () => canvas.evaluate(canvas => canvas.getContext('2d')
-            .getImageData(0, 0, canvas.width, canvas.height).data.filter((v, i) => i % 4 === 0 && v === 255).length);
+        const white = () => canvas.evaluate(canvas => {
+            const copy = new OffscreenCanvas(canvas.width, canvas.height).getContext('2d', {willReadFrequently: true});
+            copy.drawImage(canvas, 0, 0);
+            return copy.getImageData(0, 0, canvas.width, canvas.height).data.filter((v, i) => i % 4 === 0 && v === 255).length;
+        });
         assert.equal(await white(), 5);
         assert.match(await figure.locator('.numbers').textContent(), /E0 = \+5\.0000, inside/);
         await changed('step03_triangle', 'if (columns.begin >= columns.end', 'if (columns.begin < columns.end', async () => {
