@@ -153,7 +153,7 @@ const figures = (() => {
             frame = next;
             slow = half ? slow : frame.milliseconds > 25;
             [canvas.width, canvas.height] = [frame.width, frame.height];
-            canvas.classList.toggle("enlarged", !half && frame.width < still.naturalWidth);
+            canvas.classList.toggle("enlarged", !half && frame.width < pane.clientWidth);
             canvas.getContext("2d").putImageData(frame.image, 0, 0);
             const common = /^[^:]*: /.exec(frame.notes[0])?.[0] ?? ""; // "triangle 1: "
             const cut = frame.notes.every(note => note.startsWith(common)) ? common.length : 0;
