@@ -29,8 +29,8 @@ static int live_order(double a, double b) {
     return (a > b) - (a < b);
 }
 
-/* At equal depth the one that ends farther to the left comes first, or has less red, so that qsort()
- * has no choice. */
+/* At equal depth the one that ends farther to the left comes first, or has less red: qsort() has no
+ * choice. */
 static int live_compare_segments(const void *a, const void *b) {
     const struct segment *s = a, *t = b;
     const int depths = live_order(s->a.y + s->b.y, t->a.y + t->b.y);
