@@ -171,10 +171,10 @@ $(FIGURES:%=figures-%): figures-%: $(BUILD)/figures/% $(BUILD)/models/bust.obj
 	@mkdir -p $(BUILD)/out/$*/figures
 	$(Q)$(BUILD)/figures/$* $(BUILD)/out/$*/figures >$(BUILD)/figures/$*.txt && cat $(BUILD)/figures/$*.txt
 
-# Scenes of live.c that README.md shows, ![...](figures/NAME.png "live: NAME, ..."), are drawn by it.
+# Scenes of live.c that a text shows, ![...](figures/NAME.png "live: NAME, ..."), are drawn by it.
 $(FIGURES:%=lesson-figures-%): lesson-figures-%: $(BUILD)/figures/% $(BUILD)/models/bust.obj $(BUILD)/moving/%
 	@mkdir -p $*/figures
-	$(Q)for scene in $$(sed -n 's/^!.*(figures\/\([a-z_]*\)\.png "live: \1,.*/\1/p' $*/README.md); do \
+	$(Q)for scene in $$(sed -n 's/^!.*(figures\/\([a-z_]*\)\.png "live: \1,.*/\1/p' $*/*.md); do \
 	    $(BUILD)/moving/$* --only $$scene --format png -o $*/figures || exit; \
 	done
 	$(Q)$(BUILD)/figures/$* $*/figures >$(BUILD)/figures/$*.txt && cat $(BUILD)/figures/$*.txt
