@@ -406,7 +406,7 @@ for (const [kind, file, window] of [['dark', 'step08_projection', {...desktop, c
                         const size = parseFloat(getComputedStyle(program).fontSize);
                         if (size < 14 || size < 24 && innerWidth > 1000 && program.style.getPropertyValue('--columns') < 60) wrong.push(`${size}px`);
                     }
-                    for (const button of document.querySelectorAll('#slides button')) {
+                    for (const button of document.querySelectorAll('#slides nav button')) {
                         const {width, height, bottom} = button.getBoundingClientRect();
                         if (Math.min(width, height) < 44 || bottom > innerHeight) wrong.push(button.ariaLabel);
                     }
