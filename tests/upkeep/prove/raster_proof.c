@@ -1,6 +1,6 @@
 /*
- * What `make prove` shows of raster.c, for every input there is: see prove.sh. Frama-C's Eva takes each
- * number below as an interval and each `assert` as what must hold for all of it.
+ * What `make prove` shows of raster.c, for every input there is: see prove.sh. Frama-C's Eva takes
+ * each number below as an interval, and each `assert` as what must hold for all of it.
  */
 #include "__fc_builtin.h"
 

@@ -1,5 +1,5 @@
-/* Small scopes, and every case in them: what random cases may miss there, these can't. Each answer is
- * the definition in its plainest form: the sign of a determinant, or a fraction. */
+/* Small scopes, and every case in them, so that none is missed. Each answer is the definition in
+ * its plainest form: the sign of a determinant, or a fraction. */
 #include "lessons.h"
 #include "stress.h"
 
@@ -192,8 +192,8 @@ static bool cut_is_exact(const void *tried) {
 
 /* ---- Textures ---- */
 
-/* Four texels with values 0, 1, 128 or 255 in one channel, clamped or repeated, asked at 8 x 8 places
- * in and around them. */
+/* Four texels with values 0, 1, 128 or 255 in one channel, clamped or repeated, asked at 8 x 8
+ * places in and around them. */
 struct small_texture {
     uint32_t texels[2 * 2 + 3]; /* and a row and a texel more, which count for nothing */
     bool clamp;
