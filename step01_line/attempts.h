@@ -1,6 +1,6 @@
 /*
- * Lesson 1's earlier versions of line(), from the first idea to the last but one, and two more: one
- * with a case for every kind of line, and a faster one.
+ * Lesson 1's earlier versions of line(), from the first idea to the last but one, and four more:
+ * one with a case for every kind of line, a faster one, and two that add to t.
  *
  * All have the signature of line() in main.c, so that the figures and the benchmark can loop over
  * them. Attempts 5 to 7 compute in `float` on purpose: with 24 bits one can watch the errors grow.
@@ -140,7 +140,7 @@ static inline void attempt_7_two_parts(struct image *image, struct pixel a, stru
     }
 }
 
-/* ---- Two more ---- */
+/* ---- Four more ---- */
 
 /* A case for every kind of line, and all eight octants mirrored from the first one. Each case is
  * simple, but there are many. Wrong: mirroring starts at a, and so do the ties; from b to a it may
@@ -234,15 +234,52 @@ static inline void attempt_by_runs(struct image *image, struct pixel a, struct p
     attempt_draw_run(image, steep, a.x + begin, (int64_t)b.x + 1, b.y, color);
 }
 
+/* t grows by just as much as this line needs. Wrong: every addition rounds. t may pass 1 too early,
+ * and the last pixel is missing; on a long line all pixels drift. (`i` ends a line so long that t
+ * stops growing.) */
+static inline void attempt_t_added(struct image *image, struct pixel a, struct pixel b,
+                                   struct color color) {
+    bool steep = attempt_make_flat(&a, &b);
+    int run = b.x - a.x, rise = b.y - a.y;
+    float t = 0, dt = run > 0 ? 1 / (float)run : 1;
+    for (int i = 0; i <= run && t <= 1; i++) {
+        attempt_set_flat(image, steep, attempt_nearest_pixel(a.x + (double)t * run),
+                         attempt_nearest_pixel(a.y + (double)t * rise), color);
+        t += dt;
+    }
+}
+
+/* The same in whole numbers: t counts how far v has moved, in parts of 1 / (2 * run). Exact, with
+ * the ties of line(). What is left to mend: a division for every pixel. */
+static inline void attempt_t_whole(struct image *image, struct pixel a, struct pixel b,
+                                   struct color color) {
+    bool steep = attempt_make_flat(&a, &b);
+    int64_t run = (int64_t)b.x - a.x, rise = llabs((int64_t)b.y - a.y), t = 0;
+    int v_step = b.y < a.y ? -1 : 1;
+    for (int x = a.x; x <= b.x; x++) {
+        int moved = run > 0 ? (int)((t + run - 1) / (2 * run)) : 0;
+        attempt_set_flat(image, steep, x, a.y + v_step * moved, color);
+        t += 2 * rise;
+    }
+}
+
 /* ---- The table ---- */
 
-enum { ATTEMPT_COUNT = 9 };
+enum { ATTEMPT_COUNT = 11 };
 
 static inline attempt_function *attempt_at(int index) {
     static attempt_function *const attempts[ATTEMPT_COUNT] = {
-        attempt_1_hundred_steps, attempt_2_ten_steps,        attempt_3_step_per_column,
-        attempt_4_swapped,       attempt_5_division_outside, attempt_6_accumulated,
-        attempt_7_two_parts,     attempt_by_cases,           attempt_by_runs,
+        attempt_1_hundred_steps,
+        attempt_2_ten_steps,
+        attempt_3_step_per_column,
+        attempt_4_swapped,
+        attempt_5_division_outside,
+        attempt_6_accumulated,
+        attempt_7_two_parts,
+        attempt_by_cases,
+        attempt_by_runs,
+        attempt_t_added,
+        attempt_t_whole,
     };
     return attempts[index];
 }

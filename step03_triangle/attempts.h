@@ -9,9 +9,12 @@
 #include "raster.h"
 #include "tgaimage.h"
 
+#include <limits.h>
 #include <math.h>
 #include <stdbool.h>
 #include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
 
 typedef void fill_function(struct image *image, const struct vec2 corner[3], struct color color);
 
@@ -235,12 +238,156 @@ static inline void attempt_7_edges_float(struct image *image, const struct vec2 
     }
 }
 
+/* ---- By three borders ---- */
+
+/* A corner in whole pixels. */
+struct attempt_corner {
+    struct pixel at;
+    struct color color;
+};
+
+/* The pixels of lesson 1's line, one after the other, from the left end to the right one. */
+struct attempt_border {
+    struct pixel now;
+    int64_t k, run, rise, error; /* steps so far; the others as in lesson 1 */
+    int y_step;
+    bool steep;
+    struct color from, to;
+};
+
+/* `a` is left of `b`, or below it. Lesson 1 begins a steep line at its lower end. Where we walk it
+ * downwards, a tie goes to the pixel nearer to the end of the walk, so `error` begins 1 higher. */
+static inline struct attempt_border attempt_border(struct attempt_corner a,
+                                                   struct attempt_corner b) {
+    int64_t width = (int64_t)b.at.x - a.at.x, height = llabs((int64_t)b.at.y - a.at.y);
+    bool steep = height > width, down = b.at.y < a.at.y;
+    int64_t run = steep ? height : width;
+    return (struct attempt_border){
+        .now = a.at,
+        .run = run,
+        .rise = steep ? width : height,
+        .error = (steep && down) - run,
+        .y_step = down ? -1 : 1,
+        .steep = steep,
+        .from = a.color,
+        .to = b.color,
+    };
+}
+
+static inline void attempt_border_next(struct attempt_border *border) {
+    border->k++;
+    border->error += 2 * border->rise;
+    bool moves = border->error > 0;
+    border->error -= moves ? 2 * border->run : 0;
+    border->now.x += !border->steep || moves;
+    border->now.y += border->steep || moves ? border->y_step : 0;
+}
+
+static inline struct color attempt_mix(struct color a, struct color b, int64_t k, int64_t n) {
+    double share = n > 0 ? (double)k / (double)n : 0;
+    return color_rgb(level_from(a.r + (b.r - a.r) * share), level_from(a.g + (b.g - a.g) * share),
+                     level_from(a.b + (b.b - a.b) * share));
+}
+
+/* The pixels of a column that the borders enclose: from the lowest pixel that a border has in it to
+ * the highest one. Each is given by its border and the steps to it. */
+struct attempt_end {
+    int y;
+    const struct attempt_border *border;
+    int64_t k;
+};
+
+struct attempt_column {
+    struct attempt_end low, high;
+};
+
+/* Walk a border through column x, which grows by the border's pixels there. */
+static inline void attempt_border_cross(struct attempt_border *border, int x,
+                                        struct attempt_column *column) {
+    for (; border->k <= border->run && border->now.x == x; attempt_border_next(border)) {
+        struct attempt_end end = {border->now.y, border, border->k};
+        if (end.y < column->low.y) {
+            column->low = end;
+        }
+        if (end.y > column->high.y) {
+            column->high = end;
+        }
+    }
+}
+
+/* Two interpolations: along the borders, for the colours at both ends, then across the column. */
+static inline void attempt_fill_column(struct image *image, int x, struct attempt_column column,
+                                       bool one_color) {
+    const struct attempt_border *below = column.low.border, *above = column.high.border;
+    int low = column.low.y, high = column.high.y, top = (int)image->height - 1;
+    struct color from = below->from, to = from;
+    if (!one_color) {
+        from = attempt_mix(below->from, below->to, column.low.k, below->run);
+        to = attempt_mix(above->from, above->to, column.high.k, above->run);
+    }
+    for (int y = low > 0 ? low : 0; y <= high && y <= top; y++) {
+        image_set(image, x, y, one_color ? from : attempt_mix(from, to, y - low, high - low));
+    }
+}
+
+/* Sort by x, then by y, in whole pixels. */
+static inline void attempt_sort_by_x(const struct vec2 corner[3], const struct color color[3],
+                                     struct attempt_corner sorted[3]) {
+    for (int i = 0; i < 3; i++) {
+        struct pixel p = {(int)floor(corner[i].x), (int)floor(corner[i].y)};
+        int place = i;
+        for (; place > 0; place--) {
+            struct attempt_corner before = sorted[place - 1];
+            if (before.at.x < p.x || (before.at.x == p.x && before.at.y <= p.y)) {
+                break;
+            }
+            sorted[place] = before;
+        }
+        sorted[place] = (struct attempt_corner){p, color[i]};
+    }
+}
+
+/* The long border, then the two short ones. */
+static inline void attempt_three_borders(const struct attempt_corner sorted[3],
+                                         struct attempt_border border[3]) {
+    border[0] = attempt_border(sorted[0], sorted[2]);
+    border[1] = attempt_border(sorted[0], sorted[1]);
+    border[2] = attempt_border(sorted[1], sorted[2]);
+}
+
+/* Draw three borders as lesson 1 draws lines, and fill column after column between them, up to the
+ * middle corner (`last` is 1) or to the right one (2). Each corner has its colour.
+ * Wrong: as in attempt 1, the corners lose their fractions; and both neighbours draw the whole
+ * border between them. */
+static inline void attempt_by_columns(struct image *image, const struct vec2 corner[3],
+                                      const struct color color[3], int last) {
+    bool one_color = memcmp(&color[0], &color[1], 2 * sizeof color[0]) == 0;
+    struct attempt_corner p[3];
+    struct attempt_border border[3];
+    attempt_sort_by_x(corner, color, p);
+    attempt_three_borders(p, border);
+    for (int x = p[0].at.x; x <= p[last].at.x && x < (int)image->width; x++) {
+        struct attempt_column column = {.low.y = INT_MAX, .high.y = INT_MIN};
+        for (int i = 0; i < 3; i++) {
+            attempt_border_cross(&border[i], x, &column);
+        }
+        if (x >= 0) {
+            attempt_fill_column(image, x, column, one_color);
+        }
+    }
+}
+
+static inline void attempt_by_borders(struct image *image, const struct vec2 corner[3],
+                                      struct color color) {
+    attempt_by_columns(image, corner, (const struct color[3]){color, color, color}, 2);
+}
+
 /* ---- The table ---- */
 
 static inline fill_function *attempt_fill(int number) {
     static fill_function *const attempts[] = {
         attempt_1_sweep_whole, attempt_2_sweep_float, attempt_3_box_float,   attempt_4_box_double,
-        attempt_5_box_open,    attempt_6_box_epsilon, attempt_7_edges_float,
+        attempt_5_box_open,    attempt_6_box_epsilon, attempt_7_edges_float, attempt_by_borders,
     };
     return attempts[number - 1];
 }

@@ -76,7 +76,8 @@ static const struct bench_version lines_versions[] = {
     VERSION("3: step per column", 2),  VERSION("4: axes swapped", 3),
     VERSION("5: division outside", 4), VERSION("6: y accumulated", 5),
     VERSION("7: two parts", 6),        VERSION("by cases", 7),
-    VERSION("Bresenham by runs", 8),   HOUSE_VERSION("Bresenham: line()", HOUSE_LINE),
+    VERSION("Bresenham by runs", 8),   VERSION("t += dt", 9),
+    VERSION("t in whole numbers", 10), HOUSE_VERSION("Bresenham: line()", HOUSE_LINE),
 };
 
 static const struct bench_panel lines_panels[] = {

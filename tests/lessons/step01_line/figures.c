@@ -6,6 +6,8 @@
 
 #include "../../../step01_line/attempts.h"
 
+#include <stdio.h>
+
 static const struct color white = {255, 255, 255, 255};
 static const struct color red = {0, 0, 255, 255};
 static const struct color orange = {0, 150, 255, 255};
@@ -108,6 +110,14 @@ static void draw_pairs(void) {
          .width = 200,
          .height = 64,
          .shown = {100, 32, 80, 24, .zoom = 10, .grid = GRID}},
+        {.name = "added",
+         .first_draw = attempt_t_added,
+         .second_draw = line,
+         .a = {-20000, -5007},
+         .b = {199, 60},
+         .width = 200,
+         .height = 64,
+         .shown = {120, 38, 80, 24, .zoom = 10, .grid = GRID}},
     };
     for (size_t i = 0; i < sizeof pairs / sizeof pairs[0]; i++) {
         draw_pair(&pairs[i]);
@@ -129,6 +139,92 @@ static void draw_cases(void) {
     figure_save_detail(&image, detail_of_whole(&image, 14, GRID), "cases");
 }
 
+/* Every kind of line by four attempts: point, horizontal, vertical, diagonal, and four oblique
+ * ones, of which two go to the left. White is correct, orange wrong, blue missing. */
+static void draw_kinds(void) {
+    static const struct {
+        struct pixel a, b;
+    } lines[] = {
+        {{2, 6}, {2, 6}},   {{5, 6}, {13, 6}},   {{16, 2}, {16, 10}}, {{19, 2}, {27, 10}},
+        {{30, 4}, {42, 9}}, {{45, 0}, {50, 12}}, {{65, 4}, {53, 9}},  {{73, 0}, {68, 12}},
+    };
+    attempt_function *const attempts[] = {attempt_1_hundred_steps, attempt_3_step_per_column,
+                                          attempt_by_cases, attempt_t_added};
+    struct sheet sheet = {.width = 76 * 10, .height = 13 * 10, .columns = 1, .rows = 4, .gap = 6};
+    sheet_create(&sheet);
+    for (int i = 0; i < 4; i++) {
+        struct comparison compared;
+        comparison_create(&compared, 76, 13);
+        for (size_t k = 0; k < sizeof lines / sizeof lines[0]; k++) {
+            attempts[i](&compared.first, lines[k].a, lines[k].b, white);
+            line(&compared.second, lines[k].a, lines[k].b, white);
+        }
+        comparison_show(&compared, white);
+        sheet_add_detail(&sheet, &compared.shown, detail_of_whole(&compared.shown, 10, GRID));
+    }
+    figure_save(&sheet.image, "kinds");
+}
+
+/* One stored line, drawn eight times: axes exchanged, mirrored in x, mirrored in y. Where line()
+ * sets another pixel, that one is blue and the stored one orange. */
+static void draw_mirrored(void) {
+    const struct pixel end = {12, 5};
+    struct pixel list[13];
+    struct comparison compared;
+    comparison_create(&compared, 27, 27);
+    line_list((struct pixel){0, 0}, end, list);
+    for (int octant = 0; octant < 8; octant++) {
+        const int x_sign = octant & 1 ? -1 : 1, y_sign = octant & 2 ? -1 : 1;
+        for (size_t i = 0; i < 13; i++) {
+            const struct pixel p = octant & 4 ? attempt_transposed(list[i]) : list[i];
+            image_set(&compared.first, 13 + x_sign * p.x, 13 + y_sign * p.y, white);
+        }
+        const struct pixel p = octant & 4 ? attempt_transposed(end) : end;
+        line(&compared.second, (struct pixel){13, 13},
+             (struct pixel){13 + x_sign * p.x, 13 + y_sign * p.y}, white);
+    }
+    comparison_show(&compared, white);
+    figure_save_detail(&compared.shown, detail_of_whole(&compared.shown, 14, GRID), "mirrored");
+}
+
+/* How many lines of 2 to `most` columns lack their last pixel by `t += dt`. */
+static void count_unended(int most) {
+    struct image image = figure_image((size_t)most, 1);
+    int unended = 0;
+    for (int x = 1; x < most; x++) {
+        image_clear(&image, color_grey(0));
+        attempt_t_added(&image, (struct pixel){0, 0}, (struct pixel){x, 0}, white);
+        unended += image_get(&image, x, 0).r == 0;
+    }
+    printf("t += dt: of %d lines, %d lack the last pixel\n", most - 1, unended);
+}
+
+/* From black to white by the quotient of two lengths, instead of by steps along u: all lines from
+ * (0,0) to the right and up, not steep, of 2 to `most` columns. */
+static void count_by_lengths(int most) {
+    int pixels = 0, differ = 0, worst = 0;
+    struct pixel *list = figure_memory((size_t)most, sizeof *list), worst_at = {0}, worst_end = {0};
+    for (int i = 0; i < most * most; i++) {
+        const struct pixel a = {0, 0}, b = {i % most, i / most};
+        for (int k = 0; b.x > 0 && b.y <= b.x && k <= b.x; k++) {
+            line_list(a, b, list);
+            const struct pixel p = list[k];
+            const double alpha = sqrt((double)(p.x * p.x + p.y * p.y) / (b.x * b.x + b.y * b.y));
+            const int ours = color_along(a, b, color_grey(0), color_grey(255), p).r;
+            const int apart = abs(level_from(255 * alpha) - ours);
+            pixels++;
+            differ += apart > 0;
+            if (apart > worst) {
+                worst = apart;
+                worst_at = p;
+                worst_end = b;
+            }
+        }
+    }
+    printf("by lengths: %d of %d pixels differ, by up to %d: at (%d,%d) of the line to (%d,%d)\n",
+           differ, pixels, worst, worst_at.x, worst_at.y, worst_end.x, worst_end.y);
+}
+
 void draw_figures(struct model *bust) {
     (void)bust;
     draw_made();
@@ -137,4 +233,8 @@ void draw_figures(struct model *bust) {
     draw_steps();
     draw_pairs();
     draw_cases();
+    draw_kinds();
+    draw_mirrored();
+    count_unended(256);
+    count_by_lengths(21);
 }

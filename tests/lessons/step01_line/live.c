@@ -9,8 +9,9 @@
 static const struct scene_value live_text_values[] = {
     {"attempt",
      "0 line(), 1 a hundred steps, 2 ten steps, 3 a step for each column, 4 swapped, "
-     "5 division outside, 6 added up, 7 in two parts, 8 by cases, 9 by runs",
-     0, 9, 1, 0},
+     "5 division outside, 6 added up, 7 in two parts, 8 by cases, 9 by runs, 10 t += dt, "
+     "11 t in whole numbers",
+     0, 11, 1, 0},
     {"reversed", "from the second end to the first", 0, 1, 1, 0},
     {"wrong", "red is wrong, blue is missing", 0, 1, 1, 0},
     {"steps", "share of the line that is drawn", 0, 1, 0.01, 1},

@@ -3,9 +3,10 @@
  * ones that reach far beyond the image. Every other side of the fan goes through many pixel
  * centres; the values at the rest need more digits than a float has.
  *
- * All versions write rows with image_fill_row(). Each triangle has its own colour, and each
- * version too: so the picture of the last run says which triangle each pixel shows. The error
- * counts the pixels for which 128-bit integers say another one.
+ * All versions write rows with image_fill_row(), except the one by borders, which fills columns.
+ * Each triangle has its own colour, and each version too: so the picture of the last run says which
+ * triangle each pixel shows. The error counts the pixels for which 128-bit integers say another
+ * one.
  */
 #define LESSON "../step03_triangle/main.c"
 #include "lesson.h"
@@ -235,7 +236,7 @@ static void fill_carried(struct image *image, const struct fixed2 corner[3], str
 
 /* ---- The attempts ---- */
 
-enum { HOUSE = 0, BLOCKS = 8, CARRIED = 9 }; /* the ways between are the attempts of attempts.h */
+enum { HOUSE = 0, BORDERS = 8, BLOCKS, CARRIED }; /* 1 to 8 are those of attempts.h */
 
 static void fill(const struct filled *t, int way, struct image *image, struct color color) {
     if (way == HOUSE) {
@@ -295,6 +296,7 @@ static const struct bench_version attempt_versions[] = {
     VERSION("6: box, epsilon", 6),
     VERSION("7: edges summed in float", 7),
     VERSION("8: blocks, exact", BLOCKS),
+    VERSION("by three borders", BORDERS),
     VERSION("spans by remainders", CARRIED),
     HOUSE_VERSION("spans, exact (main.c)", HOUSE),
 };

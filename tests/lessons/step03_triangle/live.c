@@ -17,11 +17,13 @@ static bool told_wanted(const struct fixed2 corner[3], int x, int y, bool newly_
 }
 #endif
 
+enum { LIVE_BORDERS = 8 };
+
 static const struct scene_value live_text_values[] = {
     {"attempt",
      "0 triangle(), 1 sweep in whole numbers, 2 sweep in float, 3 box in float, 4 box in double, "
-     "5 open sides, 6 a tolerance, 7 edges in float",
-     0, 7, 1, 0},
+     "5 open sides, 6 a tolerance, 7 edges in float, 8 three borders, 9 half of that",
+     0, 9, 1, 0},
     {"snap", "bits of a corner's fraction", 0, 8, 1, 8},
     {"counted", "orange is drawn too often, magenta is missing", 0, 1, 1, 0},
     {.name = NULL},
@@ -45,6 +47,8 @@ static void live_fill(struct drawing *drawing, struct image *image, const struct
     const int attempt = (int)drawing_value(drawing, "attempt");
     if (attempt == 0) {
         fill_shape(drawing, image, corner, color);
+    } else if (attempt >= LIVE_BORDERS) {
+        attempt_by_columns(image, screen, color, attempt == LIVE_BORDERS ? 2 : 1);
     } else {
         attempt_fill(attempt)(image, screen, color[0]);
     }
