@@ -114,6 +114,38 @@ static void show_depths(struct image *image, const double *depth) {
     END SOLUTION */
 }
 
+/* ---- Lines with depths ---- */
+
+/* An end of a line. */
+struct line_end {
+    struct pixel pixel;
+    double depth; /* larger is nearer */
+};
+
+/* Draw the line of lesson 2 with a depth at each end, interpolated along its longer axis and
+ * compared at every pixel. A line of one pixel has the depth of a. */
+static void hidden_line(struct canvas *canvas, struct line_end a, struct line_end b,
+                        struct color color) {
+    /* BEGIN SOLUTION 5.4 hidden lines */
+    struct image *image = canvas->image;
+    struct line_walk walk;
+    bool more = line_begin(&walk, a.pixel, b.pixel, image->width, image->height);
+    for (; more; more = line_next(&walk)) {
+        int steps = walk.steep ? walk.y - a.pixel.y : walk.x - a.pixel.x; /* from a */
+        int run = walk.steep ? b.pixel.y - a.pixel.y : b.pixel.x - a.pixel.x;
+        double alpha = run != 0 ? (double)steps / run : 0; /* 0 at a, 1 at b */
+        double depth = a.depth + (b.depth - a.depth) * alpha;
+        double *there = &canvas->depth[(size_t)walk.y * image->width + (size_t)walk.x];
+        if (depth > *there) {
+            *there = depth;
+            image_set(image, walk.x, walk.y, color);
+        }
+    }
+    /* STARTER
+    (void)canvas, (void)a, (void)b, (void)color; // to do 5.4: walk along the line; compare depths
+    END SOLUTION */
+}
+
 #include "scenes.h"
 
 int main(int argc, char **argv) {

@@ -111,6 +111,44 @@ static bool draw_depth(struct drawing *drawing, struct image *image, struct erro
     return done;
 }
 
+/* ---- Scene: hidden ---- */
+
+/* Lines are lifted by so many pixels towards us: README.md derives it. */
+enum { LINE_LIFT = 2 };
+
+/* Draw the faces in the colour of the ground, then the sides of each, lifted by `lift` pixels. A
+ * side of two faces is drawn twice, over itself. */
+static void draw_hidden_lines(const struct model *model, double lift, struct canvas *canvas) {
+    const struct image *image = canvas->image;
+    const size_t shorter = image->width < image->height ? image->width : image->height;
+    const double nearer = lift * 2 / (double)shorter; /* the image shows 2 of the model's units */
+    struct vertex v[3];
+    for (size_t face = 0; face < model->face_count; face++) {
+        if (place_face(model, face, image, v)) {
+            triangle(canvas, v, color_grey(0));
+        }
+    }
+    for (size_t i = 0; i < 3 * model->face_count; i++) {
+        if (place_face(model, i / 3, image, v)) {
+            struct line_end end[2];
+            for (size_t k = 0; k < 2; k++) {
+                const struct vertex *corner = &v[(i + k) % 3];
+                end[k].pixel.x = corner->position.x >> SUBPIXEL_BITS;
+                end[k].pixel.y = corner->position.y >> SUBPIXEL_BITS;
+                end[k].depth = corner->depth + nearer;
+            }
+            hidden_line(canvas, end[0], end[1], color_grey(255));
+        }
+    }
+}
+
+static bool draw_hidden(struct drawing *drawing, struct image *image, struct error *error) {
+    (void)error;
+    struct canvas canvas = {.image = image, .depth = drawing->depth};
+    draw_hidden_lines(drawing->model, LINE_LIFT, &canvas);
+    return true;
+}
+
 /* ---- Scene: cards ---- */
 
 /* A rectangle that faces us: two of its corners, in pixels. */
@@ -174,6 +212,7 @@ static const struct scene scenes[] = {
      .light = {1, 0, -1},
      .draw = draw_zbuffer},
     {.name = "cards", .needs = NEEDS_DEPTH, .width = 400, .height = 400, .draw = draw_cards},
+    {.name = "hidden", .needs = MODEL_AND_DEPTH, .draw = draw_hidden},
 };
 
 static const struct program step05_zbuffer = {

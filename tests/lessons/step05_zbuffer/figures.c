@@ -175,15 +175,39 @@ static void draw_sheets(void) {
     figure_save(&sheet.image, "sheets");
 }
 
+/* ---- Lines, lifted too little, enough, and too much ---- */
+
+enum { LIFTED_SIDE = 800, LIFTED_DETAIL = 260 };
+
+static void draw_lifted(const struct model *bust) {
+    static const double lifts[] = {0, LINE_LIFT, 60};
+    const struct detail detail = {215, 420, LIFTED_DETAIL, LIFTED_DETAIL, 1, 0};
+    struct sheet sheet = {
+        .width = LIFTED_DETAIL, .height = LIFTED_DETAIL, .columns = 3, .rows = 1, .gap = 8};
+    sheet_create(&sheet);
+    for (int i = 0; i < 3; i++) {
+        struct image image = figure_image(LIFTED_SIDE, LIFTED_SIDE);
+        struct image black = figure_image(LIFTED_SIDE, LIFTED_SIDE);
+        struct canvas canvas = {.image = &image, .depth = memory};
+        depth_clear(memory, LIFTED_SIDE * LIFTED_SIDE);
+        draw_hidden_lines(bust, lifts[i], &canvas);
+        printf("lifted by %.0f pixels %6zu pixels drawn\n", lifts[i],
+               different_pixels(&image, &black));
+        sheet_add_detail(&sheet, &image, detail);
+    }
+    figure_save(&sheet.image, "lifted");
+}
+
 void draw_figures(struct model *bust) {
     struct model knot;
     struct drawn bars[3], floor_list[FLOOR_COUNT];
     figure_need(model_read(&knot, COURSE_BUILD "/models/knot.off", &figure_error));
-    memory = figure_memory(PAINTED_SIDE * PAINTED_SIDE, sizeof(double)); /* the largest picture */
+    memory = figure_memory(LIFTED_SIDE * LIFTED_SIDE, sizeof(double)); /* the largest picture */
     make_circle(bars);
     make_floor(floor_list);
     draw_painted_over(&knot, bust);
     draw_large("circle", bars, 3);
     draw_large("floor", floor_list, FLOOR_COUNT);
     draw_sheets();
+    draw_lifted(bust);
 }

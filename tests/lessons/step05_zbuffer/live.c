@@ -172,6 +172,20 @@ static bool live_cards(struct drawing *drawing, struct image *image, struct erro
     return true;
 }
 
+/* ---- Scene: hidden ---- */
+
+static const struct scene_value live_hidden_values[] = {
+    {"lift", "pixels by which lines are nearer than their corners", 0, 100, 0.5, LINE_LIFT},
+    {.name = NULL},
+};
+
+static bool live_hidden(struct drawing *drawing, struct image *image, struct error *error) {
+    (void)error;
+    struct canvas canvas = {.image = image, .depth = drawing->depth};
+    draw_hidden_lines(drawing->model, drawing_value(drawing, "lift"), &canvas);
+    return true;
+}
+
 /* ---- The scenes ---- */
 
 static const struct scene live[] = {
@@ -181,6 +195,7 @@ static const struct scene live[] = {
     {.name = "knot", .values = live_model_values, .draw = live_zbuffer},
     {.name = "side", .values = live_model_values, .draw = live_zbuffer},
     {.name = "cards", .values = live_cards_values, .draw = live_cards},
+    {.name = "hidden", .values = live_hidden_values, .draw = live_hidden},
 };
 
 MAIN_WITH(live)

@@ -158,6 +158,25 @@ static struct shown called_greys(double a, double b, double c, double d, double 
     return show("%d %d %d %d %d %d", v[0], v[1], v[2], v[3], v[4], v[5]);
 }
 
+/* ---- Lines ---- */
+
+/* Draw a line on 8 x 7 pixels of that depth: "(2,1) at 0.5 (3,1) at 0.75", the pixels that changed,
+ * row by row from the bottom, with their depths. */
+static struct shown called_line(struct line_end a, struct line_end b, double over) {
+    struct shown shown = {""};
+    called_begin(CALLED_SIDE, CALLED_SIDE - 1, over);
+    hidden_line(&called_canvas, a, b, rgb(1, 0, 0));
+    for (int i = 0; i < CALLED_SIDE * CALLED_SIDE; i++) {
+        const int x = i % CALLED_SIDE, y = i / CALLED_SIDE;
+        const bool colored = image_get(&called_sheet, x, y).r != 0;
+        if (colored || called_depths[i] != over) {
+            shown = show("%.180s%s(%d,%d) at %.5g%s", shown.text, shown.text[0] != '\0' ? " " : "",
+                         x, y, called_depths[i], colored ? "" : " without color");
+        }
+    }
+    return shown.text[0] != '\0' ? shown : show("none");
+}
+
 static void numbers(void) {
     const double none = -INFINITY;
     const struct vec2 rising[] = {{1.75, 10}, {5.75, 50}}, falling[] = {{-1.5, 5}, {14.5, -11}};
@@ -219,4 +238,19 @@ static void numbers(void) {
          called_greys(-7e9, -8e9, -8e9, -8e9, -8e9, -9e9), "255 155 155 155 155 55");
     TEXT("5.3", "show_depths() of -inf 0 1e-12 2e-12 0 0",
          called_greys(none, 0, 1e-12, 2e-12, 0, 0), "0 55 155 255 55 55");
+    const struct line_end low = {{0, 0}, 0}, high = {{4, 2}, 1};
+    TEXT("5.4", "hidden_line() from (0,0) at 0 to (4,2) at 1 over depth 0.4",
+         called_line(low, high, 0.4), "(2,1) at 0.5 (3,1) at 0.75 (4,2) at 1");
+    TEXT("5.4", "hidden_line() from (4,2) at 1 to (0,0) at 0 over depth 0.4",
+         called_line(high, low, 0.4), "(2,1) at 0.5 (3,1) at 0.75 (4,2) at 1");
+    TEXT("5.4", "hidden_line() from (1,6) at 3 to (3,0) at 0 over depth 1.2",
+         called_line((struct line_end){{1, 6}, 3}, (struct line_end){{3, 0}, 0}, 1.2),
+         "(2,3) at 1.5 (2,4) at 2 (1,5) at 2.5 (1,6) at 3");
+    TEXT("5.4", "hidden_line() from (-8,3) at 0 to (8,3) at 4 over depth 3.1",
+         called_line((struct line_end){{-8, 3}, 0}, (struct line_end){{8, 3}, 4}, 3.1),
+         "(5,3) at 3.25 (6,3) at 3.5 (7,3) at 3.75");
+    TEXT("5.4", "hidden_line() from (3,4) at 2 to (3,4) at 5 over depth 1",
+         called_line((struct line_end){{3, 4}, 2}, (struct line_end){{3, 4}, 5}, 1), "(3,4) at 2");
+    TEXT("5.4", "hidden_line() from (0,1) at 3 to (4,1) at 3 over depth 3",
+         called_line((struct line_end){{0, 1}, 3}, (struct line_end){{4, 1}, 3}, 3), "none");
 }

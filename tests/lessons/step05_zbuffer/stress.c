@@ -5,6 +5,7 @@
 #include "upkeep/stress/lessons.h"
 #include "upkeep/stress/stress.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 /* ---- Triangles ---- */
@@ -89,10 +90,67 @@ static bool depth_levels_are_right(const void *tried) {
     return right;
 }
 
+/* ---- Lines with depths ---- */
+
+enum { WIRED_WIDTH = 13, WIRED_HEIGHT = 11, WIRED = WIRED_WIDTH * WIRED_HEIGHT };
+
+struct wired_case {
+    struct line_case line;
+    double depth_a, depth_b, before[WIRED];
+};
+
+static void make_wired(struct random *random, uint64_t index, void *made) {
+    struct wired_case *c = made;
+    double scale = ldexp(1, (int)random_between(random, -300, 300)), depth[2 + WIRED];
+    make_any_line(random, random_bits(random), &c->line);
+    for (int i = 0; i < 2 + WIRED; i++) {
+        depth[i] = index % 3 == 0   ? (double)random_between(random, -2, 2)
+                   : index % 3 == 1 ? scale * random_real(random, -1, 1)
+                                    : 1000 + random_real(random, -1e-9, 1e-9);
+    }
+    c->depth_a = depth[0];
+    c->depth_b = random_bits(random) % 8 == 0 ? depth[0] : depth[1];
+    for (int i = 0; i < WIRED; i++) {
+        c->before[i] = random_bits(random) % 8 == 0 ? -INFINITY : depth[2 + i];
+    }
+}
+
+/* At a pixel: the mean of the depths at both ends, each weighed by the way to the other one. */
+static long double wired_depth(const struct wired_case *c, int x, int y) {
+    struct pixel a = c->line.a, b = c->line.b;
+    bool along_x = labs((long)b.x - a.x) >= labs((long)b.y - a.y);
+    long double from_a = along_x ? x - a.x : y - a.y, to_b = along_x ? b.x - x : b.y - y;
+    return from_a + to_b == 0 ? (long double)c->depth_a
+                              : (to_b * c->depth_a + from_a * c->depth_b) / (from_a + to_b);
+}
+
+static bool nearer_pixels_of_line_show(const void *tried) {
+    const struct wired_case *c = tried;
+    uint8_t pixels[WIRED] = {0};
+    double depth[WIRED];
+    struct image image = {WIRED_WIDTH, WIRED_HEIGHT, IMAGE_GREY, pixels};
+    struct canvas canvas = {.image = &image, .depth = depth};
+    memcpy(depth, c->before, sizeof depth);
+    hidden_line(&canvas, (struct line_end){c->line.a, c->depth_a},
+                (struct line_end){c->line.b, c->depth_b}, color_grey(1));
+    bool right = true;
+    for (int i = 0; i < WIRED && right; i++) {
+        struct pixel p = {i % WIRED_WIDTH, i / WIRED_WIDTH};
+        bool has = oracle_line_has(c->line.a, c->line.b, p), drawn = pixels[i] == 1;
+        long double exact = has ? wired_depth(c, p.x, p.y) : (long double)-INFINITY;
+        long double slack = 0x1p-50L * fmaxl(fabsl(c->depth_a), fabsl(c->depth_b));
+        right = drawn ? has && is_near(depth[i], exact, slack) && exact >= c->before[i] - slack
+                      : depth[i] == c->before[i] && !(exact > c->before[i] + slack);
+    }
+    return right;
+}
+
 const struct property lesson05_properties[] = {
     PROPERTY("lesson05: nearest triangle, depths", AGAINST_LONG_DOUBLE, 100000, struct layers,
              make_layers, .holds = nearest_triangle_shows),
     PROPERTY("lesson05: depths as levels", AGAINST_LONG_DOUBLE, 200000, struct depths_case,
              make_depths, .holds = depth_levels_are_right),
+    PROPERTY("lesson05: nearer pixels of a line", AGAINST_LONG_DOUBLE, 200000, struct wired_case,
+             make_wired, .holds = nearer_pixels_of_line_show),
     {.name = NULL},
 };

@@ -110,6 +110,49 @@ static bool try_single(struct drawing *drawing, struct image *image, struct erro
     return true;
 }
 
+/* ---- Lines ---- */
+
+/* The ends are shares of the image's width and height. A point is as near as its first end; the
+ * second is before all others. */
+static const struct try_wire {
+    struct vec2 a, b;
+    double depth_a, depth_b;
+    struct color color;
+} try_wires[] = {
+    {{0.05, 0.1}, {0.95, 0.3}, 0.93, 0.04, {.r = 255, .a = 255}},
+    {{0.9, 0.15}, {0.1, 0.45}, 1.07, 0.11, {.g = 255, .a = 255}},
+    {{0.12, 0.98}, {0.3, 0.02}, 0.71, 0.13, {.b = 255, .a = 255}},
+    {{0.6, 0.05}, {0.8, 0.95}, 0.02, 1.17, {.r = 255, .g = 255, .a = 255}},
+    {{-0.7, 0.6}, {1.1, 0.7}, 0.03, 1.21, {.g = 255, .b = 255, .a = 255}},
+    {{1.9, 0.95}, {0.2, 0.5}, 1.83, 0.27, {.r = 255, .b = 255, .a = 255}},
+    {{0.45, 1.8}, {0.35, -0.4}, 0.08, 1.37, {.r = 255, .g = 128, .a = 255}},
+    {{0.5, -0.9}, {0.55, 1.2}, 1.43, -0.31, {.g = 128, .b = 255, .a = 255}},
+    {{0.02, 0.85}, {0.98, 0.85}, 0.91, 0.09, {.r = 200, .g = 200, .b = 200, .a = 255}},
+    {{0.88, 0.97}, {0.88, 0.03}, 1.01, 0.19, {.r = 200, .g = 120, .b = 200, .a = 255}},
+    {{0.5, 0.55}, {0.5, 0.55}, 0.87, 7, {.r = 255, .g = 255, .b = 255, .a = 255}},
+};
+
+/* Over dark stripes, each nearer than the one at its left. */
+static bool try_wiring(struct drawing *drawing, struct image *image, struct error *error) {
+    (void)error;
+    const double width = (double)image->width, height = (double)image->height;
+    struct canvas canvas = {.image = image, .depth = drawing->depth};
+    for (size_t i = 0; i < image->width * image->height; i++) {
+        const size_t stripe = i % image->width * 7 / image->width;
+        drawing->depth[i] = 0.15 * (double)stripe;
+        image_set(image, (int)(i % image->width), (int)(i / image->width),
+                  color_grey((uint8_t)(20 + 8 * stripe)));
+    }
+    for (size_t i = 0; i < sizeof try_wires / sizeof try_wires[0]; i++) {
+        const struct try_wire *w = &try_wires[i];
+        const struct pixel a = {(int)floor(w->a.x * width), (int)floor(w->a.y * height)};
+        const struct pixel b = {(int)floor(w->b.x * width), (int)floor(w->b.y * height)};
+        hidden_line(&canvas, (struct line_end){a, w->depth_a}, (struct line_end){b, w->depth_b},
+                    w->color);
+    }
+    return true;
+}
+
 /* ---- The scenes ---- */
 
 static const struct scene trials[] = {
@@ -144,6 +187,9 @@ static const struct scene trials[] = {
         .format = IMAGE_GREY,
         .draw = try_single,
     },
+    {.name = "wires", .needs = NEEDS_DEPTH, .width = 131, .height = 83, .draw = try_wiring},
+    {.name = "wires_high", .needs = NEEDS_DEPTH, .width = 17, .height = 67, .draw = try_wiring},
+    {.name = "wires_pixel", .needs = NEEDS_DEPTH, .width = 1, .height = 1, .draw = try_wiring},
 };
 
 MAIN_WITH(trials)

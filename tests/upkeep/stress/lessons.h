@@ -63,6 +63,15 @@ struct vec3 random_direction(struct random *random);
 /* A vector of any length, from 2^-reach to 2^reach; now and then zero. */
 struct vec3 random_vector(struct random *random, int reach);
 
+/* ---- Lines ---- */
+
+struct line_case {
+    struct pixel a, b;
+};
+
+/* Make a struct line_case: of any length, most of them in or through an image of 13 x 11 pixels. */
+void make_any_line(struct random *random, uint64_t index, void *made);
+
 /* ---- Triangles over one another on a small screen ---- */
 
 enum { LAYER_COUNT = 4 };

@@ -5,10 +5,6 @@
 enum { WIDTH = 13, HEIGHT = 11 }; /* of the image that the lines cross */
 enum { LIST_LIMIT = 256 };        /* pixels of a short line */
 
-struct line_case {
-    struct pixel a, b;
-};
-
 /* ---- Cases ---- */
 
 static int near_image(struct random *random, int64_t reach) {
@@ -24,7 +20,7 @@ static struct line_case through_image(struct random *random, int64_t reach) {
                               {(int)(x + dx * to / 16), (int)(y + dy * to / 16)}};
 }
 
-static void make_line(struct random *random, uint64_t index, void *made) {
+void make_any_line(struct random *random, uint64_t index, void *made) {
     struct line_case *c = made;
     switch (index % 6) {
     case 0: /* short ones, in and around the image: many ties */
@@ -133,7 +129,7 @@ struct cut_case {
 
 static void make_cut(struct random *random, uint64_t index, void *made) {
     struct cut_case *c = made;
-    make_line(random, random_bits(random), &c->line);
+    make_any_line(random, random_bits(random), &c->line);
     c->width = index % 8 == 0 ? 1 : (int)random_between(random, 1, WIDTH);
     c->height = index % 8 <= 1 ? 1 : (int)random_between(random, 1, HEIGHT);
 }
@@ -151,7 +147,7 @@ static bool cut_is_exact(const void *tried) {
 }
 
 const struct property line_properties[] = {
-    PROPERTY("line: nearest pixels", AGAINST_INTEGERS, 1000000, struct line_case, make_line,
+    PROPERTY("line: nearest pixels", AGAINST_INTEGERS, 1000000, struct line_case, make_any_line,
              .holds = line_is_exact),
     PROPERTY("line: lesson 1, nearest pixels", AGAINST_INTEGERS, 300000, struct line_case,
              make_short_line, .holds = lesson_line_is_exact),
