@@ -61,7 +61,7 @@ write_source() {
         return
     fi
     echo "#line 1 \"$lesson/main.c\""
-    sed '/^[ \t]*#[ \t]*include[ \t]*"scenes.h"/,$d' "$lesson/main.c"
+    sed '/^[[:blank:]]*#[[:blank:]]*include[[:blank:]]*"scenes.h"/,$d' "$lesson/main.c"
     echo "#line 1 \"$table\""
     echo '#include <stdlib.h>'
     echo '#include <string.h>'
