@@ -73,7 +73,7 @@ paths_are_there() {
         grep -oE '`[A-Za-z0-9_./]+(\.(c|h|sh|txt|md|mk|awk)|/)`' "$text" | tr -d '`' | sort -u |
             while read -r path; do
                 case $path in build/* | mine/* | math.h) continue ;; esac
-                for place in . "$(dirname "$text")" common tests; do
+                for place in . "$(dirname "$text")" common common/pipeline tests; do
                     [ ! -e "$place/$path" ] || continue 2
                 done
                 echo "$text names $path"

@@ -22,6 +22,7 @@ links() {
             while (match(line, /\]\([^)]*\)|(src|href)="[^"]*"/)) {
                 target = substr(line, RSTART, RLENGTH)
                 line = substr(line, RSTART + RLENGTH)
+                sub(/ "[^"]*"\)$/, ")", target) # a title
                 gsub(/^\]\(|\)$|^(src|href)="|"$/, "", target)
                 print FILENAME ":" FNR "\t" target
             }
