@@ -109,10 +109,11 @@ struct block {
 
 /* What is visible so far in one chunk of a band. (find_runs() reads one number behind the last.) */
 struct chunk {
-    _Alignas(CACHE_LINE) double depth[BAND_HEIGHT][CHUNK_WIDTH]; /* -INFINITY: nothing is drawn */
-    uint32_t number[BAND_HEIGHT][CHUNK_WIDTH];                   /* of the piece; 0: nothing */
-    double farthest[BAND_TILES]; /* of each tile: no pixel's depth is less */
-    uint32_t touched;            /* bit i: something may be drawn in row i */
+    double depth[BAND_HEIGHT][CHUNK_WIDTH];    /* minus infinity: nothing is drawn */
+    uint32_t number[BAND_HEIGHT][CHUNK_WIDTH]; /* of the piece; 0: nothing is drawn */
+    double farthest[BAND_TILES];               /* of each tile: no pixel's depth is less */
+    uint32_t touched;                          /* bit i: something may be drawn in row i */
+    char apart[CACHE_LINE - (BAND_TILES * sizeof(double) + sizeof(uint32_t)) % CACHE_LINE];
 };
 
 /* Empty a chunk: nothing is drawn. Only rows that were touched need it. */
