@@ -15,6 +15,7 @@
 #include <EGL/eglext.h>
 #include <GL/gl.h>
 #include <stdio.h>
+#include <stdlib.h>
 
 enum { SIDE = 800 };
 

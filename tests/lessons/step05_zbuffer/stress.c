@@ -12,7 +12,8 @@
 
 /* Returns what it did. */
 static struct canvas draw_on(const struct layers *layers, struct image *image, double *depth) {
-    struct canvas canvas = {.image = image, .depth = depth};
+    struct canvas canvas = {.image = image};
+    canvas.depth = depth;
     for (int i = 0; i < LAYER_COUNT; i++) {
         struct vertex v[3];
         for (int k = 0; k < 3; k++) {
