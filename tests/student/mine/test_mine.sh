@@ -28,7 +28,7 @@ change() {
 
 draws 5 'step05_zbuffer: drawn with your line, triangle, weights, light'
 silent 'ours'
-says 'SCORE 19/19 exact'
+says 'SCORE 25/25 exact'
 draws 10 'step10_phong: drawn with your triangle, weights, sampler, camera, perspective, pipeline'
 says 'SCORE 36/36'
 says 'turn PASS' # not exact: it is drawn through part d
@@ -46,7 +46,7 @@ says 'SCORE 53/53 exact'
 change step03_triangle 'y_distance < 0 ||' 'y_distance > 0 \&\&'
 echo 'no C' >>step04_flat/main.c
 draws 5 'step05_zbuffer: drawn with your line, weights; ours: triangle, light'
-says 'SCORE 19/19 exact'
+says 'SCORE 25/25 exact'
 
 # ---- What only a later lesson shows ----
 
