@@ -12,6 +12,7 @@ const axe = require('axe-core');
 const {chromium} = require('playwright-core');
 
 const course = process.env.COURSE, pages = process.env.PAGES;
+const patience = 200000; /* milliseconds: other stages of .ci/run take the processors */
 let browser;
 
 before(async () => {
@@ -32,13 +33,14 @@ async function serve(step) {
 async function on(step, window, hash, judge) {
     const {address, ended, server} = await serve(step);
     const page = await browser.newPage(window);
+    page.setDefaultTimeout(patience);
     const wrong = [];
     page.on('pageerror', error => wrong.push(error.stack));
     page.on('console', message => wrong.push(message.text()));
     try {
         await page.goto(address + hash);
         await page.waitForFunction(() => document.querySelector('#pixel').textContent.includes('ms'),
-                                   null, {timeout: 20000});
+                                   null, {timeout: patience});
         await judge(page, address);
         await page.evaluate(axe.source);
         const found = await page.evaluate(() => axe.run());
@@ -54,7 +56,7 @@ async function on(step, window, hash, judge) {
 const desktop = {viewport: {width: 1280, height: 800}, colorScheme: 'light'};
 const phone = {viewport: {width: 390, height: 844}, deviceScaleFactor: 2, isMobile: true,
                hasTouch: true, colorScheme: 'dark'};
-const has = (page, id, text, timeout = 20000) => page.waitForFunction(
+const has = (page, id, text, timeout = patience) => page.waitForFunction(
     ([id, text]) => document.getElementById(id).textContent.includes(text), [id, text], {timeout});
 const picture = (page, name) => page.screenshot({path: `${pages}/live_${name}.png`});
 const main = step => `${course}/${step}/main.c`;
@@ -211,7 +213,7 @@ test('corners of two neighbours move together, by mouse and keys, and no pixel i
         assert.match(said, /1: weights 0\.0000, 0\.\d+, 0\.\d+\n/);
         assert.match(said, /1: E0 = \+0\.0000, on it\n.*\n.*\n.*\n.*\n.*2: E1 = \+0\.0000, on it, a top or left edge/);
         await changed('step03_triangle', 'if (columns.begin >= columns.end', 'if (columns.begin < columns.end', async () => {
-            await page.waitForFunction(() => shown.pixels.every((v, i) => i % 4 === 3 || v === 0), null, {timeout: 60000});
+            await page.waitForFunction(() => shown.pixels.every((v, i) => i % 4 === 3 || v === 0), null, {timeout: patience});
             assert.match(await notes(page, 20, 20), /1: E0 = \+80\.0000\n.*\n.*\n.*2: E0 = .*\n.*2: E1 = -80\.0000/); /* of part a */
         });
     }));
@@ -434,7 +436,7 @@ test('ends of segments are dragged before a row of depths; painter, bits', () =>
         }
         assert.ok(drawn.size > 5);
         await page.click('[aria-label^="play share"]');
-        await page.waitForFunction(() => chosen.faces === 1 && playing === null, null, {timeout: 60000});
+        await page.waitForFunction(() => chosen.faces === 1 && playing === null, null, {timeout: patience});
         await settled(page);
         assert.ok(await page.evaluate(() => shown.pixels.some(v => v > 100)));
         await page.click('button:text-is("cards")');
@@ -705,7 +707,7 @@ test("the lesson's figures, by one's own program, now and after the next save", 
     on('step03_triangle', desktop, '', async (page, address) => {
         await page.click('header a');
         const figure = page.locator('figure').first(), canvas = figure.locator('canvas');
-        await figure.locator('.more').waitFor({timeout: 60000});
+        await figure.locator('.more').waitFor({timeout: patience});
         const white = () => canvas.evaluate(canvas => {
             const copy = new OffscreenCanvas(canvas.width, canvas.height).getContext('2d', {willReadFrequently: true});
             copy.drawImage(canvas, 0, 0);
@@ -743,21 +745,21 @@ test('a fault of the compiler, a crash and an endless loop are said, and mended 
         await page.click('#reset');
         const begin = fs.readFileSync(main('step05_zbuffer'), 'utf8').match(/^static void show_depths.*{$/m)[0];
         await changed('step05_zbuffer', begin, `${begin} int x = ;`, async () => {
-            await has(page, 'message', 'step05_zbuffer/main.c:', 60000);
+            await has(page, 'message', 'step05_zbuffer/main.c:');
             await picture(page, 'fault');
         });
-        await page.waitForFunction(() => document.querySelector('#message').hidden, null, {timeout: 60000});
+        await page.waitForFunction(() => document.querySelector('#message').hidden, null, {timeout: patience});
         await changed('step05_zbuffer', begin, `${begin} *(volatile int *)0 = 1;`,
-                      () => has(page, 'message', 'store to null pointer', 60000));
-        await page.waitForFunction(() => document.querySelector('#message').hidden, null, {timeout: 60000});
+                      () => has(page, 'message', 'store to null pointer'));
+        await page.waitForFunction(() => document.querySelector('#message').hidden, null, {timeout: patience});
         await changed('step05_zbuffer', begin, `${begin} for (;;) {}`,
-                      () => has(page, 'message', 'does every loop end?', 60000));
-        await page.waitForFunction(() => document.querySelector('#message').hidden, null, {timeout: 60000});
+                      () => has(page, 'message', 'does every loop end?'));
+        await page.waitForFunction(() => document.querySelector('#message').hidden, null, {timeout: patience});
         await page.click('button:text-is("difference")');
         await has(page, 'pixel', '\n0 pixels differ');
         await changed('step05_zbuffer', begin, `${begin} if (image != NULL) return;`, () =>
             page.waitForFunction(() => /\n[1-9]\d* pixels differ/.test(
-                document.getElementById('pixel').textContent), null, {timeout: 60000}));
+                document.getElementById('pixel').textContent), null, {timeout: patience}));
     }));
 
 /* The status of an answer, 0 for none. */

@@ -101,7 +101,8 @@ moving_programs() {
 judge_live() {
     cp -R Makefile README.md common step* tests "$work/live" 2>/dev/null ||
         { mkdir "$work/live" && cp -R Makefile README.md common step* tests "$work/live"; } &&
-        (cd "$work/live" && unset MAKEFLAGS MFLAGS && make -s build/live $(moving_programs) models >"$work/log" 2>&1) &&
+        (cd "$work/live" && unset MAKEFLAGS MFLAGS && make -s build/live $(moving_programs) \
+            build/moving/sanitized/step05_zbuffer models >"$work/log" 2>&1) &&
         COURSE=$work/live node --test tests/upkeep/browser/server.js tests/upkeep/browser/live.js
 }
 

@@ -20,6 +20,7 @@ const lessons = fs.readdirSync(site).filter(name => /^step/.test(name)).sort();
 const onDisk = file => pathToFileURL(`${site}/${file}`).href;
 const size = file => fs.statSync(`${site}/${file}`).size;
 const text = file => fs.readFileSync(`${site}/${file}`, 'utf8');
+const patience = 200000; /* milliseconds: other stages of .ci/run take the processors */
 let browser, server;
 
 before(async () => {
@@ -46,6 +47,7 @@ const phone = {viewport: {width: 390, height: 844}, deviceScaleFactor: 2, isMobi
 /* A page that complains of nothing, and asks nobody else. */
 async function on(address, window, judge) {
     const page = await browser.newPage(window), wrong = [];
+    page.setDefaultTimeout(patience);
     page.on('pageerror', error => wrong.push(error.stack));
     page.on('console', message => wrong.push(message.text()));
     page.on('request', request => /^(blob|data):/.test(request.url()) ||
@@ -57,7 +59,7 @@ async function on(address, window, judge) {
 }
 
 const drawn = page => page.waitForFunction(() => document.querySelector('#pixel').textContent.includes('ms'),
-                                           null, {timeout: 60000});
+                                           null, {timeout: patience});
 
 /* In a live page: how many pixels of a scene are not its reference's. Frames lie on a sheet. */
 async function countWrong([scene, png]) {
@@ -251,7 +253,7 @@ for (const file of pages.filter(file => /^step/.test(file) && (file.endsWith('in
             const title = await figure.getAttribute('data-live'), what = `${number + 1} ${title}`;
             const {scene, given} = requestOf(lesson, title), shows = given.show.split(',');
             await figure.scrollIntoViewIfNeeded();
-            await figure.locator('.more').waitFor({timeout: 60000});
+            await figure.locator('.more').waitFor({timeout: patience});
             const still = path.join(lesson, (await figure.locator('img').getAttribute('src')).replace('.webp', '.png'));
             assert.equal(await differs(figure, await decoded(page, still)), 0, `${what}: ${still} is another picture`);
             let changes = {}, asked = await judge(figure, lesson, changes, what), told = '';
@@ -375,7 +377,7 @@ test('a lesson as slides: by keys, questions with their answers, living pictures
         assert.ok(await shown.locator('details[open]').count() > 0);
         await page.keyboard.press('Home');
         while (await shown.locator('figure').count() === 0) await page.keyboard.press('ArrowRight');
-        await shown.locator('.more').waitFor({timeout: 60000}); /* it wakes */
+        await shown.locator('.more').waitFor({timeout: patience}); /* it wakes */
         await shown.locator('h1').click();
         await page.keyboard.press('Escape');
         assert.equal(await page.locator('main:not(#slides)').isVisible(), true);
