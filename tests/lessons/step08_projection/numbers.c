@@ -55,6 +55,15 @@ static struct mat4 called_away(double amount) {
     return map;
 }
 
+/* How many of the nine maps leave z as it is? */
+static int called_heights_kept(void) {
+    int kept = 0;
+    for (int panel = 0; panel < 9; panel++) {
+        kept += fabs(called_in_space(panel_map(panel), xyz(0, 0, 1)).z - 1) < 1e-9;
+    }
+    return kept;
+}
+
 #define VIEWPORT(width, height, x, y, right)                                                       \
     AS_VECTOR("8a.1", "viewport(" #width ", " #height ") * (" #x ", " #y ")", vec2,                \
               called_in_plane(viewport(width, height), x, y), right)
@@ -217,6 +226,7 @@ static void numbers(void) {
     PANEL(6, 1, 1, xy(0.5 * sqrt(0.5), -0.1 * sqrt(0.5)));
     PANEL(7, 1, 1, xy(-0.8, sqrt(2) - 1.3));
     PANEL(8, 2, 1, xy(1, 0.5));
+    AS_WHOLE("8a.3", "panel_map(), heights kept", called_heights_kept(), 9);
     PLACED((0.4, 0.2, 1, 0.5), "position (90, 70), depth 2, recip_w 2");
     PLACED((0.41, -0.8, -2, 2), "position (60.25, 30), depth -1, recip_w 0.5");
     PLACED((0, 0, 1e308, 0.01), "false");
@@ -244,6 +254,8 @@ static void numbers(void) {
          "(0,0,0,0.5) (0,8,4,0.5) (1.96875,4.0625,5.96875,0.0078125) (1.96875,0,3.9375,0.0078125)");
     WEIGHTS(0, (0, 0, 0, 0.5), (0, 8, 4, 0.5), (4, 0, 8, -0.15625),
             "(1,0,0) (0,1,0) (0,0.25,0.75) (0.25,0,0.75)");
+    CLIP("8e.1", 0, (0, 0, 0, 0.5), (0, 8, 4, 0.5), (2e15, 0, 0, -1e15),
+         "(0,0,0,0.5) (0,8,4,0.5) (0.984375,8,4,0.0078125) (0.984375,0,0,0.0078125)");
     AS_WHOLE("8e.1", "clip_at_plane(7 corners, one of them behind, 0): corners",
              called_corners_of_seven(), 8);
     TEXT("8e.1", "clip_at_plane(), the same edge from either end: the very same point",
