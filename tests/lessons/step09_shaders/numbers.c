@@ -18,7 +18,7 @@ static struct face faces[] = {
     {{{0, 0, 0}, {7, 0, 2}, {6, 1, 1}}}, /* clockwise */
     {{{8, 0, 0}, {9, 0, 0}, {2, 0, 0}}}, /* far away, and just before the eye: only placed */
 };
-enum { CALLED_FACES = 6, CALLED_FRONT = 4, CALLED_BACK = 5, CALLED_DEEP = 6 };
+enum { CALLED_FACES = 6, CALLED_FRONT = 4, CALLED_BACK = 5 };
 static const struct model model = {
     .positions = positions,
     .normals = normals,
@@ -635,7 +635,7 @@ static void numbers(void) {
     PLACED(1, CALLED_POSITION, "", "false");
     PLACED(2, CALLED_POSITION, "", "false");
     PLACED(3, CALLED_POSITION, "", "false");
-    PLACED(CALLED_DEEP, CALLED_DEPTH, ", from far away to the eye: depth", "(-1.6364, 398, -1)");
+    PLACED(6, CALLED_DEPTH, ", from far away to the eye: depth", "(-1.6364, 398, -1)");
     DRAWN("on 3 x 2 pixels", CALLED_GREYS, none, 1, all, called_grey_pixel, "15 25 35 / 35 45 55");
     DRAWN("of four varyings, the first pixel", CALLED_COLOR, none, 1, all, called_color_pixel,
           "15,30,45");

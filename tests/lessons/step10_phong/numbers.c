@@ -265,13 +265,13 @@ static void numbers(void) {
           called_sum_of(&called_matt, &dull));
     const struct material light_grey = {0.5, 1, 0, -1, {0, 255, 0}};
     const struct surface bright_wall = called_surface_of(xyz(100, 50, 150), 0, -1);
-    ABOUT("10a.2", "illuminate(), ambient 0.5, diffuse 1",
+    ABOUT("10a.2", "illuminate(), colour (100, 50, 150), ambient 0.5, diffuse 1",
           called_illuminated(light_grey, bright_wall), rgb(130, 65, 195),
           called_sum_of(&light_grey, &bright_wall));
     const struct material other = {0.1, 1, 0.25, 3, {0, 255, 0}};
     const struct surface bright = called_surface_of(xyz(255, 128, 255), 0.5, 10);
-    ABOUT("10a.2+10b.1", "illuminate(), worked example", called_illuminated(other, bright),
-          rgb(243, 129, 243), called_sum_of(&other, &bright));
+    ABOUT("10a.2+10b.1", "illuminate(), colour (255, 128, 255), specular weight 0.5, power 10",
+          called_illuminated(other, bright), rgb(243, 129, 243), called_sum_of(&other, &bright));
     called_to_eye = xyz(-1, 0, sqrt(3)); /* near the mirrored light */
     const struct surface sharp = called_surface_of(xyz(100, 50, 0), 0.25, 80);
     ABOUT("10a.2+10b.1", "illuminate(), power 80", called_illuminated(other, sharp),
