@@ -118,7 +118,7 @@ static void transform_block(void *context, size_t index, size_t worker) {
     struct frame *frame = context;
     const struct block *block = &frame->blocks[frame->round_block + index];
     struct recorded_call *recorded = block->call;
-    const struct draw_call call = recorded->call; /* a copy, which no store below can change */
+    const struct draw_call call = recorded->call; /* a copy: the compiler knows that it stays */
     const struct index_range range = block_range(block, call.model->position_count);
     const double guard_band = recorded->guard_band;
     struct screen_position *to = frame->positions + recorded->first_position;

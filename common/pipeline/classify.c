@@ -16,6 +16,10 @@
  *     .         .         .         .
  *
  * All of it is done with whole numbers, 1/256 pixel, so no triangle is dropped that covers a pixel.
+ *
+ * Masks are used as numbers, too: a comparison gives -1 where it holds and 0 elsewhere. So `a - mask`
+ * adds 1 where it holds, `mask | 1` is -1 or 1, and `a ^ (a < 0)` is a, or -a - 1 where a is
+ * negative.
  */
 #include "pipeline.h"
 
@@ -53,10 +57,10 @@ LANES_INLINE struct pixel_boxes cut_boxes(const struct pixel_boxes *b,
 
 /* ---- Small triangles that miss all centres in their box ---- */
 
-/* An edge function in the box: its value at the first centre, less 1 where 0 is outside, and its
- * steps to the next centre to the right and up. A centre is outside where the value is negative,
- * that is, where its highest bit is set. The numbers are unsigned because those of large triangles
- * overflow; large triangles ignore them. */
+/* An edge function in the box: its value at the first centre, and its steps to the next centre to
+ * the right and up. For an edge that is neither top nor left, 0 is outside, so 1 is subtracted: a
+ * centre is outside where the value is negative, that is, where its highest bit is set. The numbers
+ * are unsigned because those of large triangles overflow; miss_centers() ignores them. */
 struct tiny_edges {
     lanes_texel value, right, up;
 };
@@ -67,7 +71,7 @@ LANES_INLINE struct tiny_edges tiny_edges(struct corners a, struct corners b, la
     lanes_int x_distance = (b.x - a.x) * sign, y_distance = (b.y - a.y) * sign;
     lanes_int x = box->left * SUBPIXELS + SUBPIXELS / 2,
               y = box->bottom * SUBPIXELS + SUBPIXELS / 2;
-    lanes_int top_left = IS_TOP_LEFT(x_distance, y_distance);
+    lanes_int top_left = IS_TOP_LEFT(x_distance, y_distance); /* a mask: top_left + 1 is 0 or 1 */
     return (struct tiny_edges){
         .value = (lanes_texel)x_distance * (lanes_texel)(y - a.y) -
                  (lanes_texel)y_distance * (lanes_texel)(x - a.x) - (lanes_texel)(top_left + 1),

@@ -76,16 +76,20 @@ LANES_INLINE doubles depths_at(const struct depth_slopes *s, doubles e1, doubles
     return s->origin + e1 * s->k1 + e2 * s->k2;
 }
 
-/* For each of TOGETHER strips, one beside the other: the rows in which a pixel may be inside all
- * edges, counted from the lowest row of the box. */
+/* The rows of TOGETHER neighbouring strips in which a pixel may be inside all edges, counted from the
+ * lowest row of the box. */
 struct strip_rows {
     int32_t begin[TOGETHER], end[TOGETHER];
 };
 
 /* In a row of a strip, an edge function is greatest at one of the two ends. If even this value is
- * outside, the row is. It changes between outside and inside at the row `greatest` / -dy. This is a
- * quotient of whole numbers with a divisor up to 2^33, so it is a whole number or more than
- * `little` away from one, and our rounding error is smaller. */
+ * outside, the row is. From row to row it grows by dy, so it is 0 at the row `greatest` / -dy. Where
+ * dy is positive, the rows from there on may be inside, and `begin` is this quotient, rounded up;
+ * where it is negative, those before, and `end` is the quotient rounded down, plus 1.
+ *
+ * Rounding must not lose a row. The quotient is of whole numbers with a divisor up to 2^33, so it is
+ * a whole number or more than `little` away from one, and our rounding error is smaller: `little` is
+ * taken away before rounding up, and added before rounding down. */
 LANES_INLINE struct strip_rows rows_of_strips(const struct box_edges *e, int row_count) {
     const double little = 0x1p-40;
     const doubles all = doubles_all(row_count), x = doubles_count() * TOGETHER;
@@ -109,7 +113,8 @@ LANES_INLINE struct strip_rows rows_of_strips(const struct box_edges *e, int row
 
 /* ---- Cover: which piece is nearest at each pixel ---- */
 
-/* What the loops over pixels do besides. Constants there: see cover_call(). */
+/* What the loops over pixels do besides covering. cover_call() passes constants, so that the compiler
+ * makes a loop for each case, without questions at a pixel. */
 struct cover_how {
     bool reordered; /* calls come nearest first: of equal depths, find which was drawn first */
     bool counts;    /* count depth tests */
@@ -123,6 +128,8 @@ struct box {
     bool cut;               /* the piece has pixels in other columns, which must stay */
     struct box_edges edges; /* from the next strip on */
     struct depth_slopes slopes;
+    /* For each edge, in each column of a strip: what the edge function grows by from the strip's
+     * first column to this one, its step to the next row, and the least value that is inside. */
     doubles right[3], up[3], least[3];
 };
 
@@ -230,7 +237,7 @@ LANES_INLINE void cover_strips(const struct call_band *band, struct box *box, in
 
 /* ---- Hierarchical z: the farthest depth of a tile ---- */
 
-/* Those of the image's rows that are in the band, counted from its lowest one. */
+/* Cut rows of the image to the band, and count them from its lowest row. */
 static struct span rows_in_band(const struct call_band *band, struct span rows) {
     rows = span_overlap(rows, band->rows);
     return (struct span){rows.begin - band->rows.begin, rows.end - band->rows.begin};
@@ -367,7 +374,7 @@ static void cover_call(struct call_band *band) {
         draw_pieces(band);
     } else if (how.counts) {
         cover_pieces(band, how);
-    } else if (how.reordered) { /* a loop of its own, which asks none of this for a pixel */
+    } else if (how.reordered) {
         cover_pieces(band, (struct cover_how){true, false});
     } else {
         cover_pieces(band, (struct cover_how){false, false});

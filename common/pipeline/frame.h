@@ -113,6 +113,7 @@ struct chunk {
     uint32_t number[BAND_HEIGHT][CHUNK_WIDTH]; /* of the piece; 0: nothing is drawn */
     double farthest[BAND_TILES];               /* of each tile: no pixel's depth is less */
     uint32_t touched;                          /* bit i: something may be drawn in row i */
+    /* The next chunk begins in a cache line of its own. */
     char apart[CACHE_LINE - (BAND_TILES * sizeof(double) + sizeof(uint32_t)) % CACHE_LINE];
 };
 
@@ -144,7 +145,7 @@ struct scratch {
     size_t piece_capacity, is_visible_capacity, visible_capacity, color_capacity;
     size_t plane_index_capacity, plane_capacity, before_capacity;
     uint64_t stats[PIPELINE_STATS];
-    char apart[2 * CACHE_LINE]; /* from the next thread's */
+    char apart[2 * CACHE_LINE]; /* two threads that count must not share a cache line */
 };
 
 /* A band while it is drawn, and the draw call whose turn it is: what a shade_function works on. */
@@ -178,7 +179,7 @@ struct frame {
     struct recorded_call **order; /* the calls that may cover pixels, first to last */
     size_t order_count, order_capacity;
     bool reordered;           /* the nearest first, not the first drawn */
-    struct index_range round; /* the places in the order whose turn it is */
+    struct index_range round; /* the part of `order` that is being covered */
     bool kept;                /* several rounds: each band has chunks of its own */
     /* Transformed: positions, and the sides of the view that they are beyond. */
     struct screen_position *positions;

@@ -64,7 +64,8 @@ static unsigned beyond_sides(struct vec4 p) {
 
 /* Where the box may be on the screen: nowhere if all of it is beyond one side of the view. It is
  * enough to look at its corners: there, x + w and the like are least and greatest, and so are x/w,
- * y/w and z/w in front of the near plane. The slack makes up for rounding errors. */
+ * y/w and z/w in front of the near plane. The slack makes up for rounding errors; of a box that
+ * reaches behind the near plane, or much too far, nothing is known but its sides. */
 static struct screen_place find_place(const struct draw_call *call, const struct model_box *box) {
     const struct rectangle *v = &call->viewport;
     struct screen_place place = {columns_of(v), rows_of(v), INFINITY};

@@ -100,7 +100,8 @@ LANES_INLINE void find_edge_planes(const struct corners_together *of, ints *x0, 
 }
 
 /* The powers of two that bring positive numbers into the range from 1 to 2. A product with such a
- * power is exact. */
+ * power is exact. A double is 2^(E - 1023) times a number from 1 to 2, and has E in bits 52 to 62;
+ * with 2046 - E in them, and 0 in the others, it is 2^(1023 - E), the power that is wanted. */
 LANES_INLINE doubles units_of(doubles numbers) {
     longs exponent = (longs)doubles_max(numbers, doubles_all(0x1p-1022)) & INT64_C(0x7FF) << 52;
     return (doubles)((INT64_C(2046) << 52) - exponent);

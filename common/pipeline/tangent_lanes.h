@@ -1,6 +1,6 @@
 /*
- * Normal maps in tangent space, for pixels: tangent.h includes this. It stands apart because lesson
- * 10 has its reader find out what the values of a normal map mean.
+ * Normal maps in tangent space, for pixels: tangent.h includes this. They have a file of their own
+ * because lesson 10 names tangent.h before its readers know what the values of a normal map mean.
  */
 #ifndef COMMON_PIPELINE_TANGENT_LANES_H
 #define COMMON_PIPELINE_TANGENT_LANES_H

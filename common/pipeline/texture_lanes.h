@@ -20,9 +20,10 @@ struct lanes_place {
     lanes fraction;
 };
 
-/* Find the place of a texture coordinate along an axis of `size` texels. Whole repetitions are
- * subtracted, or none where `recip` is 0. Coordinates beyond 2^22, which have hardly a fraction
- * left, and NaN get some place in the picture. */
+/* Find the place of a texture coordinate along an axis of `size` texels. A texture that repeats has
+ * `recip` = 1 / size, and whole repetitions are subtracted; one that clamps has 0, and the place
+ * stays between 0 and `most`. Coordinates beyond 2^22, which have hardly a fraction left,
+ * and NaN get some place in the picture. */
 LANES_INLINE struct lanes_place lanes_find_texel(lanes coordinate, real size, real recip,
                                                  real most) {
     lanes place = coordinate * size - 0.5f;
@@ -32,7 +33,8 @@ LANES_INLINE struct lanes_place lanes_find_texel(lanes coordinate, real size, re
     return (struct lanes_place){texel, place - lanes_from_int(texel)};
 }
 
-/* Where each lane's four texels are in a level. It is the same place in all levels of one kind. */
+/* Where each lane's four texels are in a level. Levels of one kind have the same size and edges, so
+ * the place in one of them is the place in all. */
 struct texel_place {
     uint64_t kind;       /* of the level; 0: no place is found yet */
     lanes_texel bytes;   /* from the level's first texel to the lower left one */
