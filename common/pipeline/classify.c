@@ -17,9 +17,9 @@
  *
  * All of it is done with whole numbers, 1/256 pixel, so no triangle is dropped that covers a pixel.
  *
- * Masks are used as numbers, too: a comparison gives -1 where it holds and 0 elsewhere. So `a - mask`
- * adds 1 where it holds, `mask | 1` is -1 or 1, and `a ^ (a < 0)` is a, or -a - 1 where a is
- * negative.
+ * Masks are used as numbers, too: a comparison gives -1 where it holds and 0 elsewhere. So
+ * `a - mask` adds 1 where it holds, `mask | 1` is -1 or 1, and `a ^ (a < 0)` is a, or -a - 1 where
+ * a is negative.
  */
 #include "pipeline.h"
 

@@ -76,20 +76,20 @@ LANES_INLINE doubles depths_at(const struct depth_slopes *s, doubles e1, doubles
     return s->origin + e1 * s->k1 + e2 * s->k2;
 }
 
-/* The rows of TOGETHER neighbouring strips in which a pixel may be inside all edges, counted from the
- * lowest row of the box. */
+/* The rows of TOGETHER neighbouring strips in which a pixel may be inside all edges, counted from
+ * the lowest row of the box. */
 struct strip_rows {
     int32_t begin[TOGETHER], end[TOGETHER];
 };
 
 /* In a row of a strip, an edge function is greatest at one of the two ends. If even this value is
- * outside, the row is. From row to row it grows by dy, so it is 0 at the row `greatest` / -dy. Where
- * dy is positive, the rows from there on may be inside, and `begin` is this quotient, rounded up;
- * where it is negative, those before, and `end` is the quotient rounded down, plus 1.
+ * outside, the row is. From row to row it grows by dy, so it is 0 at the row `greatest` / -dy.
+ * Where dy is positive, the rows from there on may be inside, and `begin` is this quotient, rounded
+ * up; where it is negative, those before, and `end` is the quotient rounded down, plus 1.
  *
- * Rounding must not lose a row. The quotient is of whole numbers with a divisor up to 2^33, so it is
- * a whole number or more than `little` away from one, and our rounding error is smaller: `little` is
- * taken away before rounding up, and added before rounding down. */
+ * Rounding must not lose a row. The quotient is of whole numbers with a divisor up to 2^33, so it
+ * is a whole number or more than `little` away from one, and our rounding error is smaller:
+ * `little` is taken away before rounding up, and added before rounding down. */
 LANES_INLINE struct strip_rows rows_of_strips(const struct box_edges *e, int row_count) {
     const double little = 0x1p-40;
     const doubles all = doubles_all(row_count), x = doubles_count() * TOGETHER;
@@ -113,8 +113,8 @@ LANES_INLINE struct strip_rows rows_of_strips(const struct box_edges *e, int row
 
 /* ---- Cover: which piece is nearest at each pixel ---- */
 
-/* What the loops over pixels do besides covering. cover_call() passes constants, so that the compiler
- * makes a loop for each case, without questions at a pixel. */
+/* What the loops over pixels do besides covering. cover_call() passes constants, so that the
+ * compiler makes a loop for each case, without questions at a pixel. */
 struct cover_how {
     bool reordered; /* calls come nearest first: of equal depths, find which was drawn first */
     bool counts;    /* count depth tests */

@@ -4,7 +4,7 @@ struct verdict verdict_find(const struct comparison *shares, const struct checke
     const struct verdict limits[] = {
         {false, COMPARE_UNMATCHED, &shares->wrong, scene->wrong_limit, "wrong"},
         {false, COMPARE_COVERAGE, &shares->coverage, scene->coverage_limit, "missing or too many"},
-        {false, COMPARE_APART, &shares->apart, scene->apart_limit, "of another colour there"},
+        {false, COMPARE_APART, &shares->apart, scene->apart_limit, "with another colour"},
         {false, COMPARE_DIFFERING, &shares->near, scene->near_limit, "a little too light or dark"},
     };
     if (scene->exact) {
