@@ -11,13 +11,13 @@
 
 /* ---- The edges of the faces ---- */
 
-/* An edge joins two positions of the model, the smaller number first: so an edge that two faces share
- * looks the same in both. */
+/* An edge joins two positions of the model, the smaller number first: so an edge that two faces
+ * share looks the same in both. */
 struct side {
     uint32_t low, high;
 };
 
-/* All three sides of every face, one face after the other; `sides` has room for 3 a face. */
+/* All three edges of every face, one face after the other; `sides` has room for 3 a face. */
 static void list_sides(const struct model *model, struct side *sides) {
     /* BEGIN SOLUTION 2a.1 the edges of the faces */
     for (size_t i = 0; i < model->face_count; i++) {
