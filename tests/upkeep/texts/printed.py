@@ -9,7 +9,7 @@ tests/bench/counts.txt says.
 
 What a text says of its chart is in a line before the paragraph, and rounds to what the chart shows:
 
-    <!-- chart 2: 3 to 7 = box, blocks / spans; 3.52 = spans; 24 = error of box -->
+    <!-- chart 2: 3 to 7 = box | blocks / spans; 3.52 = spans; 24 = error of box -->
 
 Panel 2 of figures/bench.svg has versions whose names begin so. `3 to 7` are the least and the largest
 of the times, here divided by another one; in the paragraph a number may be a word.
@@ -87,7 +87,7 @@ def judge_chart(text, panels):
             said, names = claim.split(" = ")
             above, _, below = names.partition(" / ")
             marks = panels[int(panel) - 1]
-            values = [shown(version, marks) for version in above.split(", ")]
+            values = [shown(version, marks) for version in above.split(" | ")]
             unit = shown(below, marks) if below else 1
             for number, value in zip(said.split(" to "), (min(values), max(values))):
                 checked += 1
