@@ -1,25 +1,25 @@
 /*
  * Lesson 2: a model made of lines.
  *
- * A face of a model has three sides. Each becomes a line: x and y of its ends are mapped to the
- * image, and z is ignored. A side that two faces share is drawn once. A line may reach far beyond
+ * A face of a model has three edges. Each becomes a line: x and y of its ends are mapped to the
+ * image, and z is ignored. An edge that two faces share is drawn once. A line may reach far beyond
  * the image: line_inside() walks only over the part inside, which has the same pixels as the whole.
  */
 #include "program.h"
 
 #include <stdlib.h>
 
-/* ---- The sides of the faces ---- */
+/* ---- The edges of the faces ---- */
 
-/* A side joins two positions of the model, the smaller number first: so a side that two faces share
- * looks the same in both. */
+/* An edge joins two positions of the model, the smaller number first: so an edge that two faces
+ * share looks the same in both. */
 struct side {
     uint32_t low, high;
 };
 
-/* All three sides of every face, one face after the other; `sides` has room for 3 a face. */
+/* All three edges of every face, one face after the other; `sides` has room for 3 a face. */
 static void list_sides(const struct model *model, struct side *sides) {
-    /* BEGIN SOLUTION 2a.1 the sides of the faces */
+    /* BEGIN SOLUTION 2a.1 the edges of the faces */
     for (size_t i = 0; i < model->face_count; i++) {
         const struct corner *corner = model->faces[i].corner;
         for (size_t j = 0; j < 3; j++) {
@@ -32,7 +32,7 @@ static void list_sides(const struct model *model, struct side *sides) {
     END SOLUTION */
 }
 
-/* BEGIN SOLUTION 2a.4 each side once */
+/* BEGIN SOLUTION 2a.4 each edge once */
 static int compare_sides(const void *a, const void *b) {
     const struct side *p = a, *q = b;
     if (p->low != q->low) {
@@ -46,7 +46,7 @@ static int compare_sides(const void *a, const void *b) {
 /* Keep one of each: after sorting, equal sides are next to each other. Returns how many are
  * left. */
 static size_t keep_one_of_each(struct side *sides, size_t side_count) {
-    /* BEGIN SOLUTION 2a.4 each side once */
+    /* BEGIN SOLUTION 2a.4 each edge once */
     qsort(sides, side_count, sizeof *sides, compare_sides);
     size_t kept = 0;
     for (size_t i = 0; i < side_count; i++) {

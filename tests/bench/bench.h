@@ -63,7 +63,8 @@ struct bench_panel {
     const char *against;     /* what the error was measured against: "exact integers" */
     const struct bench_version *versions;
     size_t version_count; /* 2..BENCH_VERSION_LIMIT */
-    int on; /* what is worked on: so several panels can share versions and functions */
+    int on;           /* what is worked on: so several panels can share versions and functions */
+    bool many_inputs; /* useful or not: only versions with the same `on` are compared */
     /* Do the whole work of the panel once (best 0.1 to 30 ms), memory ready, without printing. It
      * is called many times over; each call must do the same, so what it uses up it first makes
      * again. */

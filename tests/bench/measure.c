@@ -62,11 +62,13 @@ static bool is_better(const struct bench_result *a, const struct bench_result *b
     return as_good && (!as_accurate(b->error, a->error) || is_faster(a, b));
 }
 
-static void mark_front(struct bench_result *results, size_t count) {
-    for (size_t i = 0; i < count; i++) {
+static void mark_front(const struct bench_panel *panel, struct bench_result *results) {
+    const struct bench_version *versions = panel->versions;
+    for (size_t i = 0; i < panel->version_count; i++) {
         results[i].front = true;
-        for (size_t j = 0; j < count; j++) {
-            results[i].front = results[i].front && !is_better(&results[j], &results[i]);
+        for (size_t j = 0; j < panel->version_count; j++) {
+            bool compared = !panel->many_inputs || versions[i].on == versions[j].on;
+            results[i].front &= !(compared && is_better(&results[j], &results[i]));
         }
     }
 }
@@ -100,7 +102,7 @@ static void measure_panel(const struct bench_panel *panel, double seconds,
         results[i].rounds = rounds + 1;
         summarize(&results[i], samples[i], scale);
     }
-    mark_front(results, count);
+    mark_front(panel, results);
 }
 
 static double panel_share(const struct bench_panel *panel) {

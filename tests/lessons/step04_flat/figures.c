@@ -84,7 +84,44 @@ static void draw_faults(const struct model *model) {
     printf("%zu pixels show a face that lies behind another\n", different_pixels(&image, &marked));
 }
 
+/* ---- Which faces show their front? ---- */
+
+/* Does the triangle that three points make on the screen, in an image of 800 x 800, run
+ * counterclockwise? */
+static bool winds_to_us(const struct vec3 corner[3]) {
+    struct fixed2 p[3];
+    for (int i = 0; i < 3; i++) {
+        figure_need(screen_snap(parallel_view(corner[i], 800, 800), &p[i]));
+    }
+    const int64_t area = ((int64_t)p[1].x - p[0].x) * ((int64_t)p[2].y - p[0].y) -
+                         ((int64_t)p[1].y - p[0].y) * ((int64_t)p[2].x - p[0].x);
+    return area > 0;
+}
+
+/* The fronts by n . v, and for how many faces the winding order on the screen says something else.
+ * The eye is at (0, 0, distance), or infinitely far away; v is the same for all faces, or each
+ * face's own. */
+static void count_fronts(const struct model *model, double distance, bool own, const char *name) {
+    int fronts = 0, differ = 0;
+    for (size_t face = 0; face < model->face_count; face++) {
+        struct vec3 w[3], screen[3];
+        for (size_t i = 0; i < 3; i++) {
+            w[i] = model_position(model, face, i);
+            screen[i] = vec3_scale(w[i], 1 / (1 - w[i].z / distance));
+        }
+        const struct vec3 normal = vec3_cross(vec3_sub(w[1], w[0]), vec3_sub(w[2], w[0]));
+        const struct vec3 to_eye = own ? vec3_sub((struct vec3){0, 0, distance}, w[0]) : front;
+        const bool is_front = vec3_dot(normal, to_eye) > 0;
+        fronts += is_front;
+        differ += is_front != winds_to_us(screen);
+    }
+    printf("%-32s %d fronts; by winding %d faces differ\n", name, fronts, differ);
+}
+
 void draw_figures(struct model *bust) {
+    count_fronts(bust, INFINITY, false, "parallel, v = (0, 0, 1):");
+    count_fronts(bust, 2, false, "in perspective, v = (0, 0, 1):");
+    count_fronts(bust, 2, true, "in perspective, v = C - w0:");
     draw_not_normalized(bust);
     draw_faults(bust);
 }

@@ -5,6 +5,7 @@
 #include "lesson.h"
 
 #include "../../../step07_gouraud/attempts.h"
+#include "files/model_file.h"
 #include "files/normals.h"
 
 #include <stdio.h>
@@ -68,7 +69,53 @@ static void draw_clamps(struct model *bust) {
     figure_save(&sheet.image, "clamps");
 }
 
+/* ---- The exercise ---- */
+
+/* color_triangle() with u, v and the intensity instead of red, green and blue. */
+static void textured_triangle(const struct canvas *canvas, const struct edges *edges,
+                              const struct vertex v[3], const struct texture *texture) {
+    for (int y = edges->y_begin; y < edges->y_end; y++) {
+        struct span span = edges_span(edges, y);
+        for (int x = span.begin; x < span.end; x++) {
+            struct vec3 weight = edges_weights(edges, x, y);
+            if (depth_test(canvas, v, weight, x, y)) {
+                struct vec3 c = vec3_interpolate(weight, v[0].color, v[1].color, v[2].color);
+                struct vec4 t = texture_bilinear(texture, (struct vec2){c.x, c.y}, 0);
+                image_set(
+                    canvas->image, x, y,
+                    color_rgb(level_from(t.x * c.z), level_from(t.y * c.z), level_from(t.z * c.z)));
+            }
+        }
+    }
+}
+
+/* Textured Gouraud, in half the size of the exercise's scene. */
+static void draw_textured(struct model *bust) {
+    struct image image = figure_image(400, 400);
+    double *depth = figure_memory(image.width * image.height, sizeof *depth);
+    const struct canvas canvas = {
+        .image = &image, .width = image.width, .height = image.height, .depth = depth};
+    const struct vec3 front = {0, 0, 1}; /* to the light of scene gouraud */
+    const struct texture *skin = model_texture(bust, MODEL_DIFFUSE, &figure_error);
+    figure_need(skin != NULL);
+    depth_clear(depth, image.width * image.height);
+    for (size_t face = 0; face < bust->face_count; face++) {
+        struct vertex v[3];
+        struct edges edges;
+        if (begin_face(bust, face, &canvas, v, &edges)) {
+            for (size_t i = 0; i < 3; i++) {
+                struct vec2 uv = model_uv(bust, face, i);
+                struct vec3 normal = vec3_normalized(model_normal(bust, face, i));
+                v[i].color = (struct vec3){uv.x, uv.y, corner_intensity(normal, front)};
+            }
+            textured_triangle(&canvas, &edges, v, skin);
+        }
+    }
+    figure_save(&image, "textured");
+}
+
 void draw_figures(struct model *bust) {
     draw_spheres();
     draw_clamps(bust);
+    draw_textured(bust);
 }

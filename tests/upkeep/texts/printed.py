@@ -7,6 +7,13 @@ line, and all its numbers are in such lines, except those of columns headed "ms"
 takes 40 million instructions (`make counts STEP=05`): 5 for loading, ..." is what
 tests/bench/counts.txt says.
 
+What a text says of its chart is in a line before the paragraph, and rounds to what the chart shows:
+
+    <!-- chart 2: 3 to 7 = box | blocks / spans; 3.52 = spans; 24 = error of box -->
+
+Panel 2 of figures/bench.svg has versions whose names begin so. `3 to 7` are the least and the largest
+of the times, here divided by another one; in the paragraph a number may be a word.
+
     printed.py BUILD        after `make figures` or `make lesson-figures` with that BUILD
 
 Exit status 1 and a line for each row that is not printed; also where no table is marked at all.
@@ -19,6 +26,8 @@ build = pathlib.Path(sys.argv[1]).resolve()
 top = pathlib.Path(__file__).parents[3]
 wrong = []
 checked = 0
+WORDS = {"2": "two", "3": "three", "4": "four", "5": "five", "6": "six", "7": "seven", "8": "eight",
+         "9": "nine", "10": "ten"}
 
 
 def numbers_of(text):
@@ -50,6 +59,45 @@ def judge_text(path, printed):
             wrong.extend(f"{path}: {number} is not printed: {line}" for number in wanted - found)
 
 
+def marks_of(chart):
+    """For each panel its marks: names, and (error, time)."""
+    panels = []
+    for title, name, error, time in re.findall(
+            r'<text class="(title)"|<title>([^<]*): error ([^,]*), time ([^<]*)</title>', chart.read_text()):
+        if title:
+            panels.append({})
+        else:
+            panels[-1][name] = (float(error), float(time))
+    return panels
+
+
+def shown(version, marks):
+    column = 0 if version.startswith("error of ") else 1
+    name = version.removeprefix("error of ")
+    return next((mark[column] for full, mark in marks.items() if full.startswith(name)), float("nan"))
+
+
+def judge_chart(text, panels):
+    """Numbers rounded as they are written."""
+    global checked
+    for panel, claims, paragraph in re.findall(r"<!-- chart (\d+): (.*?) -->\n\n(.*?)(?:\n\n|$)",
+                                               text.read_text(), re.DOTALL):
+        paragraph = " ".join(paragraph.split())
+        for claim in claims.split("; "):
+            said, names = claim.split(" = ")
+            above, _, below = names.partition(" / ")
+            marks = panels[int(panel) - 1]
+            values = [shown(version, marks) for version in above.split(" | ")]
+            unit = shown(below, marks) if below else 1
+            for number, value in zip(said.split(" to "), (min(values), max(values))):
+                checked += 1
+                digits = len(number.partition(".")[2])
+                if number != f"{value / unit:.{digits}f}":
+                    wrong.append(f"{text}: {claim}: the chart shows {value / unit:.4g}")
+            if not re.search(rf"\b({said}|{WORDS.get(said)})\b", paragraph):
+                wrong.append(f"{text}: {said} is not in: {paragraph[:60]}")
+
+
 def judge_counts(readme, counts):
     """Instructions: each number rounded as it is written."""
     global checked
@@ -68,6 +116,9 @@ def judge_counts(readme, counts):
 for output in sorted((build / "figures").glob("step*.txt")):
     for text in sorted((top / output.stem).glob("*.md")):
         judge_text(text, output.read_text().split("\n"))
+for chart in sorted(top.glob("step*/figures/bench.svg")):
+    for text in sorted(chart.parents[1].glob("*.md")):
+        judge_chart(text, marks_of(chart))
 rows = [line.split() for line in (top / "tests/bench/counts.txt").read_text().split("\n")]
 for readme in sorted(top.glob("step*/*.md")):
     judge_counts(readme, {(row[0], row[1]): row[2:] for row in rows if len(row) > 2})
