@@ -138,11 +138,12 @@ SAID = { $(if $(IN_PLACE),echo;) sed '/^\(In file included\| *\) *from .*tests.\
 $(STEPS:%=$(BUILD)/%): $(BUILD)/%: %/main.c $(BUILD)/%.text $(BUILD)/libcommon.a $(BUILD)/flags
 	$(call BUILD_LESSON,$(LESSON_FLAGS),$(LESSON_OBJECTS))
 
-# The text of a lesson's sources: changes when that does, even where an unpacked main.c is older
-# than the program that was built of the one before it.
+# The text of a lesson's sources and of WITH_MORE: changes when that does, even where an unpacked
+# main.c is older than the program that was built of the one before it, or where trials.c is new.
+TEXTS = $(wildcard $*/*.[ch] $*/*/*.[ch] tests/lessons/$*/trials.c tests/lessons/$*/live.c)
 $(STEPS:%=$(BUILD)/%.text): $(BUILD)/%.text: force
 	@mkdir -p $(@D)
-	@cat $(wildcard $*/*.[ch] $*/*/*.[ch]) | cmp -s - $@ || cat $(wildcard $*/*.[ch] $*/*/*.[ch]) >$@
+	@cat $(TEXTS) | cmp -s - $@ || cat $(TEXTS) >$@
 
 # ---- What all lessons share ----
 
