@@ -1,5 +1,5 @@
 #!/bin/sh
-# Do the tests notice small changes of the code? Makes a random sample of changes (mutate.c), each
+# Do the tests notice small changes of the code? Makes a random sample of changes (mutate.awk), each
 # in its own directory, and runs the tests that link what changed until one fails.
 #
 #   mutants.sh BUILD COUNT SEED [FILE...]     in the course's directory, which stays as it is
@@ -185,10 +185,10 @@ decide() { # TREE FILE
 
 try_change() { # NUMBER LINE
     [ "$(grep -c '^[ks]' "$work/fates")" -lt "$count" ] && [ ! -f "$work/failed" ] || return 1
-    file=$(printf '%s\n' "$2" | cut -f 6) number=$(printf '%s\n' "$2" | cut -f 2)
-    tree=$work/tree.$1
+    file=$(printf '%s\n' "$2" | cut -f 4) tree=$work/tree.$1
     cp -R "$work/sources" "$tree"
-    (cd "$work/sources" && "$work/mutate" make "$file" "$number") >"$tree/$file"
+    after=$(printf '%s\n' "$2" | cut -f 6) awk -v line="${2%%"$tab"*}" '
+        { print NR == line ? ENVIRON["after"] : $0 }' "$work/sources/$file" >"$tree/$file"
     decide "$tree" "$file"
     printf '%s\t%d\t%s\n' "$fate" "$1" "$2" >>"$work/fates"
     rm -rf "$tree"
@@ -229,7 +229,6 @@ cd "$work/sources" || exit 2
 find . -type f ! -name '*.[ch]' -exec rm -f {} +
 find tests/unit -name '*.[ch]' -exec sed -i "s|\"/tmp/[a-z_]*\.XXXXXX|\"$scratch/f.XXXXXX|" {} +
 ln -s "$build/models" "$work/models"
-${CC:-cc} -O1 "$here/mutate.c" -o "$work/mutate" || exit 2
 find common tests/oracle -name '*.c' 2>/dev/null | grep -v /sculptor/ >"$work/library"
 find tests/unit tests/lessons -name 'test_*.c' 2>/dev/null | sed 's/\.c$//' | sort >"$work/sanitized.programs"
 [ ! -d common/sculptor ] || echo common/sculptor/sculpt >>"$work/sanitized.programs"
@@ -238,8 +237,10 @@ find tests/lessons -name trials.c 2>/dev/null | sed 's/\.c$//' | sort |
 [ -z "$MUTANTS_STRESS" ] || echo stress >>"$work/plain.programs"
 # shellcheck disable=SC2046 # one word a file
 [ $# -gt 0 ] || set -- $(find common -name '*.[ch]') $(find step* -name main.c 2>/dev/null)
-"$work/mutate" list "$seed" "$@" | awk -F "$tab" -v symmetric="$symmetric" \
-    '$4 != "swapped" || !index(" " symmetric " ", " " $5 " ")' | sort >"$work/changes"
+awk -v seed="$seed" 'BEGIN { for (i = 0; i < 99; i++) printf "%s", "seed " seed }' >"$work/seed"
+awk -f "$here/mutate.awk" "$@" | awk -F "$tab" -v symmetric="$symmetric" \
+    '$2 != "swapped" || !index(" " symmetric " ", " " $3 " ")' |
+    sort -t "$tab" -k 4R --random-source="$work/seed" >"$work/changes"
 : >"$work/fates"
 cd "$root" || exit 2
 try_changes plain "$MUTANTS_CC"
@@ -253,8 +254,8 @@ if [ -s "$work/changes" ] && [ -n "$MUTANTS_SANITIZED" ]; then
     sed -i -e 's/^the same/survives/' -e 's/^not compiled/survives/' "$work/fates"
 fi
 cp "$work/fates" "${MUTANTS_LOG:-/dev/null}"
-sort -t "$tab" -k 8,8 -k 5,5n "$work/fates" | awk -F '\t' -v seed="$seed" '
-    /^survives/ { n++; printf "%s:%d: %s survives\n    - %s\n    + %s\n", $8, $5, $6, $9, $10 }
+sort -t "$tab" -k 6,6 -k 3,3n "$work/fates" | awk -F '\t' -v seed="$seed" '
+    /^survives/ { n++; printf "%s:%d: %s survives\n    - %s\n    + %s\n", $6, $3, $4, $7, $8 }
     /^killed/ { killed++ }
     END {
         printf "%d of %d changes killed (seed %s)\n", killed, killed + n, seed
