@@ -7,7 +7,6 @@
 #include "doubt.h"
 #include "todo.h"
 
-#include <stdio.h>
 #include <string.h>
 
 /* ---- What is still to do ---- */

@@ -1,7 +1,5 @@
 #include "legend.h"
 
-#include <string.h>
-
 enum {
     LEAST_SIZE = 400, /* pixels of a panel in the picture, along its shorter side */
     MOST_TIMES = 16,  /* how much it is enlarged at most */

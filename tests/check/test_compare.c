@@ -5,8 +5,6 @@
 #include "unit/unit.h"
 
 #include <math.h>
-#include <stdlib.h>
-#include <string.h>
 
 static struct image make(size_t width, size_t height, enum image_format format) {
     struct image image;

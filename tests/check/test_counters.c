@@ -4,7 +4,6 @@
  */
 #define _POSIX_C_SOURCE 200809L
 
-#include "base/file.h"
 #include "counters.h"
 #include "unit/unit.h"
 

@@ -5,7 +5,6 @@
 #define _POSIX_C_SOURCE 200809L
 
 #include "base/file.h"
-#include "files/image_file.h"
 #include "files/png.h"
 #include "looks.h"
 #include "unit/unit.h"

@@ -4,8 +4,6 @@
 #include "raster.h"
 #include "unit.h"
 
-#include <stdlib.h>
-
 static bool near(double a, double b, double tolerance) {
     return fabs(a - b) <= tolerance;
 }

@@ -34,7 +34,6 @@
 
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 /* What is measured, and only the first of both where it must be quick: sizes of the image, and
  * about how many triangles. */

@@ -1,8 +1,6 @@
 /* The course's side: see ours.h. Everything that knows the pipeline is here. */
 #include "ours.h"
 
-#include <string.h>
-
 /* ---- Shaders; the uniforms are the scene itself ---- */
 
 static double light_on(const struct frame_scene *scene, const float normal[3]) {

@@ -7,7 +7,6 @@
 #include "../../../step04_flat/attempts.h"
 
 #include <stdio.h>
-#include <stdlib.h>
 
 static const struct vec3 front = {0, 0, 1}; /* to the light of scene flat */
 

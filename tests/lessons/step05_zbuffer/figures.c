@@ -8,7 +8,6 @@
 #include "files/model_file.h"
 
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 /* A depth for each pixel, or the painter's list, which is shorter. */

@@ -7,8 +7,6 @@
 #include "../../../step06_texture/attempts.h"
 #include "files/model_file.h"
 
-#include <stdio.h>
-
 enum { GAP = 8 }; /* pixels between the panels of a figure */
 
 /* ---- Samplers: a picture of 4x4 texels on a square ---- */

@@ -15,8 +15,6 @@ INLINED double integer_power(double base, int power);
 
 #include "../../../step07_gouraud/attempts.h"
 
-#include <string.h>
-
 enum { SIDE = 512, MESH_COUNT = 5, SHINE_POWER = 8 };
 enum { DIFFUSE, HIGHLIGHT, LIGHT_COUNT };
 enum { FLAT, GOURAUD, PER_PIXEL, WAY_COUNT };

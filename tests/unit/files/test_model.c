@@ -7,7 +7,6 @@
 #include "unit/models.h"
 
 #include <math.h>
-#include <stdlib.h>
 
 /* ---- What is read ---- */
 

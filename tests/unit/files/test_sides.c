@@ -1,7 +1,6 @@
 /* Faces that are seen from both sides. */
 #include "files/sides.h"
 
-#include "base/array.h"
 #include "files/model_file.h"
 #include "files/normals.h"
 #include "unit/images.h"

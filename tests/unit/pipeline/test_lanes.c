@@ -3,8 +3,6 @@
 #include "pipeline/texture_lanes.h"
 #include "unit/images.h"
 
-#include <stdlib.h>
-
 enum { ROUNDS = 3000 };
 
 /* What rounding a number near 1 costs at most. */

@@ -6,7 +6,6 @@
 #include "unit/images.h"
 #include "unit/place.h"
 
-#include <stdlib.h>
 #include <time.h>
 
 enum { SIZE = 32, FACES = 24, MESH_LIMIT = 3 * FACES };

@@ -5,8 +5,6 @@
 #include "oracle/oracle.h"
 #include "unit/frames.h"
 
-#include <stdlib.h>
-
 enum { WIDTH = 96, HEIGHT = 72, OBJECT_LIMIT = 400, BANDS = (HEIGHT + 31) / 32 };
 
 static const struct vec3 up = {0, 1, 0};

@@ -5,7 +5,6 @@
 #include "unit/models.h"
 
 #include <math.h>
-#include <stdio.h>
 
 #define TEXTURED SQUARE "vt 0 0\nvt 1 0\nvt 1 0.5\n"
 

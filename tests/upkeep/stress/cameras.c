@@ -3,8 +3,6 @@
 #include "pipeline.h"
 #include "stress.h"
 
-#include <string.h>
-
 /* A number of any size and sign, zero and powers of two among them. */
 static double any_number(struct random *random, int exponent) {
     switch (random_bits(random) % 8) {
