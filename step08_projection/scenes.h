@@ -188,22 +188,17 @@ static const struct pane {
     {5, 0, 8, 3, {.r = 54, .g = 50, .b = 30, .a = 255}},
 };
 
-static struct canvas pane_canvas(const struct drawing *drawing, struct image *image,
-                                 const struct pane *pane) {
-    const int width = (int)image->width, height = (int)image->height;
-    const int x = width * pane->left / 8, y = height * pane->bottom / 8;
-    const struct rectangle area = {x, y, width * pane->right / 8 - x, height * pane->top / 8 - y};
-    struct canvas canvas = make_canvas(drawing, image, area, camera_view(drawing));
-    canvas.affine = true;
-    return canvas;
-}
-
 /* The same view in each pane, without perspective: only the viewport differs. */
 static bool draw_viewport(struct drawing *drawing, struct image *image, struct error *error) {
+    const int width = (int)image->width, height = (int)image->height;
     (void)error;
-    for (size_t i = 0; i < 4; i++) {
-        struct canvas canvas = pane_canvas(drawing, image, &panes[i]);
-        fill_area(image, canvas.area, panes[i].color);
+    for (const struct pane *pane = panes; pane < panes + 4; pane++) {
+        const int x = width * pane->left / 8, y = height * pane->bottom / 8;
+        const struct rectangle area = {x, y, width * pane->right / 8 - x,
+                                       height * pane->top / 8 - y};
+        struct canvas canvas = make_canvas(drawing, image, area, camera_view(drawing));
+        canvas.affine = true;
+        fill_area(image, area, pane->color);
         draw_model(drawing, &canvas, false);
     }
     return true;
@@ -333,13 +328,10 @@ static struct canvas world_canvas(const struct drawing *drawing, struct image *i
 }
 
 /* The model made narrow, then turned. */
-static struct mat4 narrow_to_world(void) {
-    return mat4_mul(mat4_rotation((struct vec3){0, 1, 0}, 0.05),
-                    mat4_scaling((struct vec3){0.5, 1, 1}));
-}
-
 static bool draw_narrow(struct drawing *drawing, struct image *image, struct error *error) {
-    struct canvas head = world_canvas(drawing, image, narrow_to_world());
+    const struct mat4 turned = mat4_rotation((struct vec3){0, 1, 0}, 0.05);
+    const struct mat4 narrow = mat4_scaling((struct vec3){0.5, 1, 1});
+    struct canvas head = world_canvas(drawing, image, mat4_mul(turned, narrow));
     bool done = true;
     draw_model(drawing, &head, false);
     for (int i = 0; i < 2 && done; i++) {

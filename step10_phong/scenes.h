@@ -137,19 +137,15 @@ static bool draw_four(struct drawing *drawing, struct image *image, struct error
 
 /* Powers 0 to 10 and three large ones; then the textured head with the weight, and with the power,
  * from the specular map. */
-static void make_powers(struct cell cells[16]) {
+static bool draw_powers(struct drawing *drawing, struct image *image, struct error *error) {
     static const int powers[] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 20, 40, 80};
+    struct cell cells[16];
     for (int i = 0; i < 14; i++) {
         cells[i] = plain_cell(powers[i]);
     }
     cells[14] = (struct cell){&weight_mapped, textured_material, NULL, NULL};
     cells[14].material.specular = 1.5; /* times what the map says */
     cells[15] = (struct cell){&power_mapped, textured_material, NULL, NULL};
-}
-
-static bool draw_powers(struct drawing *drawing, struct image *image, struct error *error) {
-    struct cell cells[16];
-    make_powers(cells);
     return draw_cells(drawing, image, cells, 4, 4, 0.8, error);
 }
 

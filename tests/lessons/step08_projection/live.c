@@ -285,16 +285,7 @@ static void live_tell_quads(struct drawing *drawing, const struct canvas *canvas
     }
 }
 
-/* ---- Scenes of which something is said ---- */
-
-static bool live_viewport(struct drawing *drawing, struct image *image, struct error *error) {
-    const bool done = draw_viewport(drawing, image, error);
-    for (int i = 0; i < 4; i++) {
-        const struct canvas canvas = pane_canvas(drawing, image, &panes[i]);
-        live_tell_model(drawing, &canvas);
-    }
-    return done;
-}
+/* ---- The scenes ---- */
 
 static bool live_projection(struct drawing *drawing, struct image *image, struct error *error) {
     const bool done = draw_projection(drawing, image, error);
@@ -305,33 +296,6 @@ static bool live_projection(struct drawing *drawing, struct image *image, struct
     live_tell_model(drawing, &small);
     return done;
 }
-
-static bool live_crossing(struct drawing *drawing, struct image *image, struct error *error) {
-    const bool done = draw_crossing(drawing, image, error);
-    const struct canvas canvas = live_canvas(drawing, image, whole_image(image));
-    live_tell_quads(drawing, &canvas, crossing, 3);
-    return done;
-}
-
-static bool live_narrow(struct drawing *drawing, struct image *image, struct error *error) {
-    const bool done = draw_narrow(drawing, image, error);
-    const struct canvas head = world_canvas(drawing, image, narrow_to_world());
-    live_tell_model(drawing, &head);
-    for (int i = 0; i < 2; i++) {
-        const struct canvas leaf = world_canvas(drawing, image, mat4_scaling(leaves[i].scale));
-        live_tell_quads(drawing, &leaf, &leaves[i].quad, 1);
-    }
-    return done;
-}
-
-static bool live_above(struct drawing *drawing, struct image *image, struct error *error) {
-    const bool done = draw_above(drawing, image, error);
-    const struct canvas canvas = live_canvas(drawing, image, whole_image(image));
-    live_tell_model(drawing, &canvas);
-    return done;
-}
-
-/* ---- Scenes that can be changed ---- */
 
 static bool live_view(struct drawing *drawing, struct image *image, struct error *error) {
     (void)error;
@@ -382,18 +346,11 @@ static bool live_endless(struct drawing *drawing, struct image *image, struct er
            live_draw_quads(drawing, &small, &sail, 1, error);
 }
 
-/* ---- The scenes ---- */
-
 static const struct scene live[] = {
     {.name = "house", .values = live_house_values, .draw = live_house},
-    {.name = "viewport", .draw = live_viewport},
     {.name = "projection", .draw = live_projection},
-    {.name = "crossing", .draw = live_crossing},
     {.name = "wall", .values = live_wall_values, .draw = live_wall},
-    {.name = "narrow", .draw = live_narrow},
     {.name = "lookat", .values = live_view_values, .draw = live_view},
-    {.name = "tilted", .draw = live_view},
-    {.name = "above", .draw = live_above},
     {.name = "closeup", .values = live_view_values, .draw = live_view},
     {.name = "endless", .values = live_view_values, .draw = live_endless},
 };

@@ -29,12 +29,6 @@ static void live_notes(struct drawing *drawing, const struct image *image, const
 
 /* ---- Scenes ---- */
 
-static bool live_matt(struct drawing *drawing, struct image *image, struct error *error) {
-    const struct cell cell = matt_cell();
-    live_notes(drawing, image, &cell, 1, 1, 0.8);
-    return draw_matt(drawing, image, error);
-}
-
 static bool live_parts(struct drawing *drawing, struct image *image, struct error *error) {
     struct cell cells[4];
     make_parts(cells);
@@ -74,13 +68,6 @@ static bool live_four(struct drawing *drawing, struct image *image, struct error
     return draw_cells(drawing, image, first, side, side, 0.8, error);
 }
 
-static bool live_powers(struct drawing *drawing, struct image *image, struct error *error) {
-    struct cell cells[16];
-    make_powers(cells);
-    live_notes(drawing, image, cells, 4, 4, 0.8);
-    return draw_powers(drawing, image, error);
-}
-
 static bool live_near(struct drawing *drawing, struct image *image, struct error *error) {
     struct cell cells[4];
     make_near(cells, NULL, NULL);
@@ -89,12 +76,10 @@ static bool live_near(struct drawing *drawing, struct image *image, struct error
 }
 
 static const struct scene live[] = {
-    {.name = "matt", .draw = live_matt},
     {.name = "parts", .draw = live_parts},
     {.name = "shine", .draw = live_shine},
     {.name = "four", .values = live_four_values, .draw = live_four},
     {.name = "behind", .values = live_four_values, .draw = live_four},
-    {.name = "powers", .draw = live_powers},
     {.name = "near", .draw = live_near},
 };
 
