@@ -301,32 +301,17 @@ static const struct bench_version attempt_versions[] = {
     HOUSE_VERSION("spans, exact (main.c)", HOUSE),
 };
 
+#define FILL_PANEL(mesh, share, heading)                                                           \
+    {                                                                                              \
+        .title = (heading), .error_label = "pixels that show the wrong triangle, per 1000",        \
+        .time_label = "ns per pixel", .against = "128-bit integers", .house_within = BENCH_EXACT,  \
+        .on = (mesh), .run = run, .error = error_of, .units = &bench.meshes[mesh].pixel_count,     \
+        BENCH_VERSIONS(attempt_versions), .budget = (share),                                       \
+    }
+
 static const struct bench_panel fill_panels[] = {
-    {
-        .title = "Small triangles: the faces of the bust, on 800x800 pixels",
-        .error_label = "pixels that show the wrong triangle, per 1000",
-        .time_label = "ns per pixel",
-        .against = "128-bit integers",
-        .house_within = BENCH_EXACT,
-        .on = SMALL,
-        .run = run,
-        .error = error_of,
-        .units = &bench.meshes[SMALL].pixel_count,
-        BENCH_VERSIONS(attempt_versions),
-    },
-    {
-        .title = "Large triangles: a fan of 24 that reaches far beyond the image",
-        .error_label = "pixels that show the wrong triangle, per 1000",
-        .time_label = "ns per pixel",
-        .against = "128-bit integers",
-        .house_within = BENCH_EXACT,
-        .on = LARGE,
-        .run = run,
-        .error = error_of,
-        .units = &bench.meshes[LARGE].pixel_count,
-        BENCH_VERSIONS(attempt_versions),
-        .budget = 2,
-    },
+    FILL_PANEL(SMALL, 1, "Small triangles: the faces of the bust, on 800x800 pixels"),
+    FILL_PANEL(LARGE, 2, "Large triangles: a fan of 24 that reaches far beyond the image"),
 };
 
 const struct bench_lesson bench_step03 =

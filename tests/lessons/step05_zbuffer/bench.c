@@ -313,28 +313,18 @@ static const struct bench_version sheets_versions[] = {
     VERSION("float, reversed", REVERSED), HOUSE_VERSION("double (main.c)", DOUBLE),
 };
 
+#define DEPTH_PANEL(pile, heading, function, list)                                                 \
+    {                                                                                              \
+        .title = (heading), .error_label = "pixels showing the wrong triangle, per 1000",          \
+        .time_label = "ms per frame", .against = "exact fractions", .house_within = BENCH_EXACT,   \
+        .on = (pile), .run = (function), .error = error_of, BENCH_VERSIONS(list),                  \
+    }
+
 static const struct bench_panel depth_panels[] = {
-    {
-        .title = "Ways to decide: a knot, and a board through it, 800x800 pixels",
-        .error_label = "pixels showing the wrong triangle, per 1000",
-        .time_label = "ms per frame",
-        .against = "exact fractions",
-        .house_within = BENCH_EXACT,
-        .run = run_knot,
-        .error = error_of,
-        BENCH_VERSIONS(knot_versions),
-    },
-    {
-        .title = "Sheets through each other, far : near = 1,000,000",
-        .error_label = "pixels showing the wrong triangle, per 1000",
-        .time_label = "ms per frame",
-        .against = "exact fractions",
-        .house_within = BENCH_EXACT,
-        .on = PILE_SHEETS,
-        .run = run_sheets,
-        .error = error_of,
-        BENCH_VERSIONS(sheets_versions),
-    },
+    DEPTH_PANEL(PILE_KNOT, "Ways to decide: a knot, and a board through it, 800x800 pixels",
+                run_knot, knot_versions),
+    DEPTH_PANEL(PILE_SHEETS, "Sheets through each other, far : near = 1,000,000", run_sheets,
+                sheets_versions),
 };
 
 const struct bench_lesson bench_step05 =

@@ -359,37 +359,23 @@ static const struct bench_version perspective_versions[] = {
     VERSION_OF(stepped_series, "affine", AFFINE, 0),
 };
 
+/* The picture of a target; what else a panel has comes behind. */
+#define PANEL(target, list, ...)                                                                   \
+    {                                                                                              \
+        .error_label = "levels, root mean square", .time_label = "ns per pixel", .on = (target),   \
+        .run = run, .error = error_of, .units = &targets[target].pixels, BENCH_VERSIONS(list),     \
+        __VA_ARGS__                                                                                \
+    }
+
 static const struct bench_panel bench_panels[] = {
-    {.title = "Near: 16x16 texels, enlarged to 512x512 pixels",
-     .error_label = "levels, root mean square",
-     .time_label = "ns per pixel",
-     .against = "256 samples a pixel",
-     .on = HILL,
-     .run = run,
-     .error = error_of,
-     .units = &targets[HILL].pixels,
-     BENCH_VERSIONS(near_versions)},
-    {.title = "Far: tiles towards the horizon, 400x400 pixels",
-     .error_label = "levels, root mean square",
-     .time_label = "ns per pixel",
-     .against = "1024 rays a pixel",
-     .on = FAR,
-     .run = run,
-     .error = error_of,
-     .units = &targets[FAR].pixels,
-     BENCH_VERSIONS(far_versions),
-     .budget = 2},
-    {.title = "Perspective: divided how often? The tiles, nearest texel, 800x800",
-     .error_label = "levels, root mean square",
-     .time_label = "ns per pixel",
-     .against = "the same texels, found in long double",
-     .on = TILES,
-     .run = run,
-     .error = error_of,
-     .units = &targets[TILES].pixels,
-     BENCH_VERSIONS(perspective_versions),
-     .budget = 2,
-     .house_within = BENCH_EXACT},
+    PANEL(HILL, near_versions, .title = "Near: 16x16 texels, enlarged to 512x512 pixels",
+          .against = "256 samples a pixel"),
+    PANEL(FAR, far_versions, .title = "Far: tiles towards the horizon, 400x400 pixels",
+          .against = "1024 rays a pixel", .budget = 2),
+    PANEL(TILES, perspective_versions,
+          .title = "Perspective: divided how often? The tiles, nearest texel, 800x800",
+          .against = "the same texels, found in long double", .budget = 2,
+          .house_within = BENCH_EXACT),
 };
 
 const struct bench_lesson bench_step06 =

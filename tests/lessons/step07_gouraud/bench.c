@@ -209,25 +209,17 @@ static const struct bench_version sphere_versions[] = {
     MESHES(VERSION_OF, "normal per pixel", PER_PIXEL),
 };
 
+#define SPHERES(heading, kind)                                                                     \
+    {                                                                                              \
+        .title = (heading), .error_label = "levels, root mean square",                             \
+        .time_label = "ns per pixel", .against = "the true sphere, long double", .run = run,       \
+        .error = error_of, .units = &work.pixels, .on = LIGHT(kind),                               \
+        BENCH_VERSIONS(sphere_versions),                                                           \
+    }
+
 static const struct bench_panel bench_panels[] = {
-    {.title = "Diffuse light on spheres of 128 to 32,768 triangles, 512x512",
-     .error_label = "levels, root mean square",
-     .time_label = "ns per pixel",
-     .against = "the true sphere, long double",
-     .run = run,
-     .error = error_of,
-     .units = &work.pixels,
-     .on = LIGHT(DIFFUSE),
-     BENCH_VERSIONS(sphere_versions)},
-    {.title = "A highlight on the same spheres",
-     .error_label = "levels, root mean square",
-     .time_label = "ns per pixel",
-     .against = "the true sphere, long double",
-     .run = run,
-     .error = error_of,
-     .units = &work.pixels,
-     .on = LIGHT(HIGHLIGHT),
-     BENCH_VERSIONS(sphere_versions)},
+    SPHERES("Diffuse light on spheres of 128 to 32,768 triangles, 512x512", DIFFUSE),
+    SPHERES("A highlight on the same spheres", HIGHLIGHT),
 };
 
 const struct bench_lesson bench_step07 =
