@@ -190,55 +190,6 @@ static bool cut_is_exact(const void *tried) {
     return right && !walks;
 }
 
-/* ---- Textures ---- */
-
-/* Four texels with values 0, 1, 128 or 255 in one channel, clamped or repeated, asked at 8 x 8
- * places in and around them. */
-struct small_texture {
-    uint32_t texels[2 * 2 + 3]; /* and a row and a texel more, which count for nothing */
-    bool clamp;
-    int u, v; /* eighths, from -3/8 */
-};
-
-enum { TEXTURES = 4 * 4 * 4 * 4 * 2 * 8 * 8 };
-
-static void make_texels(struct random *random, uint64_t index, void *made) {
-    static const uint32_t values[4] = {0, 1, 128, 255};
-    struct small_texture *c = made;
-    (void)random;
-    for (int i = 0; i < 4; i++) {
-        c->texels[i] = values[digit(&index, 4)];
-    }
-    c->clamp = digit(&index, 2) != 0;
-    c->u = digit(&index, 8) * 2 - 3;
-    c->v = digit(&index, 8) * 2 - 3;
-}
-
-/* Texel i of two, as far as the texture repeats or is clamped. */
-static int plain_texel(const struct small_texture *c, int i) {
-    return c->clamp ? (i < 0 ? 0 : i > 1 ? 1 : i) : (i + 4) % 2;
-}
-
-/* In eighths of a texel: each of the four texels around counts as the area opposite it. */
-static bool texels_are_exact(const void *tried) {
-    const struct small_texture *c = tried;
-    uint32_t texels[2 * 2 + 3];
-    memcpy(texels, c->texels, sizeof texels);
-    struct texture texture = texture_from(texels, 2, 2);
-    texture.clamp = c->clamp;
-    const int x = c->u * 2 - 4 + 64, y = c->v * 2 - 4 + 64; /* eighths of a texel from its centre */
-    const int left = x / 8 - 8, below = y / 8 - 8, along = x % 8, up = y % 8;
-    int sum = 0;
-    for (int i = 0; i < 4; i++) {
-        const int weight = (i % 2 ? along : 8 - along) * (i / 2 ? up : 8 - up);
-        const int column = plain_texel(c, left + i % 2), row = plain_texel(c, below + i / 2);
-        sum += weight * (int)c->texels[2 * row + column];
-    }
-    const struct vec4 sample =
-        lesson06_bilinear(&texture, (struct vec2){c->u / 8.0, c->v / 8.0}, 0);
-    return fabs(sample.z - sum / 64.0) <= 1e-9 * 255;
-}
-
 const struct property small_properties[] = {
     ALL("triangle: all on 4 x 4 pixels", (uint64_t)PLACES *PLACES *PLACES, struct small_triangle,
         make_small, small_is_exact),
@@ -249,7 +200,5 @@ const struct property small_properties[] = {
         make_line, line_is_exact),
     ALL("line: all cut to 3 x 3 pixels", (uint64_t)ENDS *ENDS *ENDS *ENDS, struct small_line,
         make_line, cut_is_exact),
-    ALL("texture: all of 2 x 2 texels", TEXTURES, struct small_texture, make_texels,
-        texels_are_exact),
     {.name = NULL},
 };
