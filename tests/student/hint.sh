@@ -43,7 +43,7 @@ all_tasks() {
 find_wrong() {
     wrong=
     [ -n "$make" ] && sh -c "$make '$build/check' models" >/dev/null 2>&1 || return
-    said=$("$build/check" --make "$make" "$number" </dev/null 2>/dev/null)
+    said=$("$build/check" --programs "$build/quick" --make "$make" "$number" </dev/null 2>/dev/null)
     case $said in
     "$lesson  BUILD"*)
         echo "$main does not build: $(echo "$said" | sed -n '1s/^[^:]*: //p')"
