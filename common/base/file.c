@@ -264,31 +264,44 @@ bool file_exists(const char *path) {
     return stat(path, &status) == 0;
 }
 
-size_t directory_find(const char *directory, char *const *names, size_t count) {
-    size_t found = count;
+/* Give the last part of the path, `name`, the letters that the directory has for it. False where no
+ * file fits, or several do. */
+static bool take_letters(char *path, char *name) {
+    size_t fitting = 0;
 #if LISTS_DIRECTORIES
-    bool several = false;
-    DIR *list = opendir(directory[0] == '\0' ? "." : directory);
+    const char first = *name;
+    *name = '\0';
+    DIR *list = opendir(path[0] == '\0' ? "." : path);
+    *name = first;
     for (const struct dirent *entry; list != NULL && (entry = readdir(list)) != NULL;) {
-        const struct word name = {entry->d_name, strlen(entry->d_name)};
-        size_t i = 0;
-        while (i < count && i <= found && !word_matches(name, names[i])) {
-            i++;
-        }
-        if (i < count && i <= found) {
-            several = i == found;
-            found = i;
-            memcpy(names[i], name.start, name.length);
+        if (word_matches(word_of(entry->d_name), name)) {
+            memcpy(name, entry->d_name, strlen(name));
+            fitting++;
         }
     }
     if (list != NULL) {
         closedir(list);
     }
-    found = several ? count : found;
 #else
-    (void)directory, (void)names;
+    (void)path, (void)name;
 #endif
-    return found;
+    return fitting == 1;
+}
+
+bool file_find(char *path) {
+    bool there = file_exists(path);
+    for (char *name = path, *end; !there; name = end + 1) {
+        end = name + strcspn(name, "/");
+        const char kept = *end;
+        *end = '\0';
+        there = end == name || file_exists(path) || take_letters(path, name);
+        *end = kept;
+        if (!there || kept == '\0') {
+            break;
+        }
+        there = false;
+    }
+    return there;
 }
 
 uint64_t file_size(const char *path) {

@@ -35,10 +35,9 @@ bool file_write_encoded(const char *path, bool encoded, struct bytes *bytes, str
 
 bool file_exists(const char *path);
 
-/* The first of these names that the directory ("": this one) has, in any letters, small or capital;
- * the name gets those that the file has. `count` where there is none, or where two fit, and on
- * systems to which letters are the same, or which have no directories. */
-size_t directory_find(const char *directory, char *const *names, size_t count);
+/* Is there such a file, or just one in other letters, small or capital? The path gets its letters.
+ * (No directory is listed on systems to which letters are the same, or which have none.) */
+bool file_find(char *path);
 
 /* Bytes in the file; 0 where there is none. */
 uint64_t file_size(const char *path);

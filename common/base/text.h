@@ -61,6 +61,11 @@ struct word text_rest_of_line(struct text *text);
 /* The next word, read as a number as by word_to_double(); NaN where it is none. */
 struct word text_next_number(struct text *text, double *number);
 
+/* A string as a word. */
+static inline struct word word_of(const char *string) {
+    return (struct word){string, strlen(string)};
+}
+
 /* Does the word begin like this, in small or in capital letters? */
 bool word_begins(struct word word, const char *beginning);
 

@@ -1,4 +1,4 @@
-/* Where files are that other files name: see find.h. */
+/* Files that other files name: see find.h. */
 #include "files/find.h"
 
 #include "base/file.h"
@@ -7,88 +7,6 @@
 #include <ctype.h>
 #include <limits.h>
 #include <stdlib.h>
-#include <string.h>
-
-char *find_first(const char *directory, char *const *names, size_t count, bool *found) {
-    size_t first = 0;
-    char *path = NULL;
-    for (*found = false; first < count && !*found; first += !*found) {
-        free(path);
-        path = string_format("%s%s", directory, names[first]);
-        if (path == NULL) {
-            return NULL;
-        }
-        *found = file_exists(path);
-    }
-    size_t other = first == 0 ? 0 : directory_find(directory, names, first);
-    if (!*found || other < first) {
-        free(path);
-        *found = other < first;
-        path = string_format("%s%s", directory, names[*found ? other : 0]);
-    }
-    return path;
-}
-
-/* Bring the directories of a path, from the character at `from` on, to the letters that they have.
- * Returns the place of the last part, NULL where it is empty or a directory is not there. */
-static char *find_directories(char *path, char *from) {
-    for (char *slash; (slash = strchr(from, '/')) != NULL; from = slash + 1) {
-        *slash = '\0';
-        bool there = slash == from || file_exists(path);
-        if (!there && from > path) {
-            char *const name[] = {from};
-            from[-1] = '\0';
-            there = directory_find(from - 1 == path ? "/" : path, name, 1) == 0;
-            from[-1] = '/';
-        } else if (!there) {
-            char *const name[] = {from};
-            there = directory_find("", name, 1) == 0;
-        }
-        *slash = '/';
-        if (!there) {
-            return NULL;
-        }
-    }
-    return *from == '\0' ? NULL : from;
-}
-
-enum { PICTURE_NAMES = 3 };
-
-/* The names that a picture may have: as it is written last if its kind is not read. */
-static bool name_pictures(const char *name, char *names[PICTURE_NAMES]) {
-    const char *dot = strrchr(name, '.');
-    const int stem = dot == NULL ? (int)strlen(name) : (int)(dot - name);
-    const bool readable = dot == NULL || image_file_is_readable(dot + 1);
-    names[readable ? 0 : 2] = string_format("%s", name);
-    names[readable ? 1 : 0] = string_format("%.*s.png", stem, name);
-    names[readable ? 2 : 1] = string_format("%.*s.tga", stem, name);
-    return names[0] != NULL && names[1] != NULL && names[2] != NULL;
-}
-
-/* What there is under the path, of which `directory` bytes name a directory that is there; as it
- * is, where there is nothing. Frees the path. NULL when memory runs out. */
-static char *find_path(char *path, size_t directory, bool is_picture, bool *found) {
-    char *names[PICTURE_NAMES] = {NULL}, *copy = string_format("%s", path), *there = NULL;
-    char *last = copy == NULL ? NULL : find_directories(copy, copy + directory);
-    char *before = last == NULL ? NULL : string_format("%.*s", (int)(last - copy), copy);
-    bool done = copy != NULL && (last == NULL || before != NULL);
-    *found = false;
-    if (before != NULL) {
-        char *const as_written[] = {last};
-        done = !is_picture || name_pictures(last, names);
-        there = !done ? NULL
-                      : find_first(before, is_picture ? names : as_written,
-                                   is_picture ? PICTURE_NAMES : 1, found);
-        done = there != NULL;
-    }
-    for (size_t i = 0; i < PICTURE_NAMES; i++) {
-        free(names[i]);
-    }
-    free(before);
-    free(copy);
-    free(*found || !done ? path : there);
-    return *found || !done ? there : path;
-}
 
 struct word name_without_rest(struct word name) {
     for (size_t i = 1; i + 1 < name.length; i++) {
@@ -102,39 +20,79 @@ struct word name_without_rest(struct word name) {
     return name;
 }
 
-/* The path as it is written, without quotes and with / between directories. */
-static char *join(const char *directory, struct word name) {
+static struct word last_part(struct word path) {
+    size_t i = path.length;
+    while (i > 0 && path.start[i - 1] != '/' && path.start[i - 1] != '\\') {
+        i--;
+    }
+    return (struct word){path.start + i, path.length - i};
+}
+
+struct word name_ending(struct word path) {
+    struct word name = last_part(path);
+    size_t i = name.length;
+    while (i > 0 && name.start[i - 1] != '.') {
+        i--;
+    }
+    i = i <= 1 ? name.length : i;
+    return (struct word){name.start + i, name.length - i};
+}
+
+bool name_ends(const char *path, const char *ending) {
+    return word_matches(name_ending(word_of(path)), ending);
+}
+
+static struct word without_quotes(struct word name) {
     bool quoted = name.length > 1 && name.start[0] == '"' && name.start[name.length - 1] == '"';
-    char *path = name.length == 0 || name.length > INT_MAX
-                     ? NULL
-                     : string_format("%s%.*s", directory, (int)name.length - (quoted ? 2 : 0),
-                                     name.start + quoted);
-    for (char *p = path; p != NULL && *p != '\0'; p++) {
+    return (struct word){name.start + quoted, name.length - (quoted ? 2 : 0)};
+}
+
+/* A name as it is written, or with another ending. */
+enum form { AS_PNG, AS_TGA, AS_WRITTEN, FORMS };
+
+/* The path of a name, with / between directories. */
+static char *make_path(const char *naming, struct word name, enum form form) {
+    static const char *const endings[] = {[AS_PNG] = ".png", [AS_TGA] = ".tga", [AS_WRITTEN] = ""};
+    const char *slash = strrchr(naming, '/');
+    const int directory = slash == NULL ? 0 : (int)(slash + 1 - naming);
+    if (name.length > INT_MAX) {
+        return NULL;
+    }
+    if (form != AS_WRITTEN) {
+        const struct word ending = name_ending(name);
+        name.length -= ending.length + (ending.length > 0);
+    }
+    char *path =
+        string_format("%.*s%.*s%s", directory, naming, (int)name.length, name.start, endings[form]);
+    for (char *p = path == NULL ? NULL : path + directory; p != NULL && *p != '\0'; p++) {
         *p = (char)(*p == '\\' ? '/' : *p);
     }
     return path;
 }
 
-char *find_named(struct word name, const char *directory, bool is_picture, bool *found) {
-    const struct word forms[] = {name, name_without_rest(name)};
-    const size_t above = strlen(directory);
+char *find_named(struct word name, const char *naming, bool is_picture, bool *found) {
+    const struct word whole = without_quotes(name), rid = without_quotes(name_without_rest(name));
+    const struct word names[] = {whole, last_part(whole), rid, last_part(rid)};
     char *path = NULL;
     *found = false;
-    for (size_t i = 0; !*found && i < (forms[1].length < name.length ? 2 : 1); i++) {
-        free(path);
-        path = join(directory, forms[i]);
-        path = path == NULL ? NULL : find_path(path, above, is_picture, found);
-        const char *slash = path == NULL || *found ? NULL : strrchr(path + above, '/');
-        if (slash != NULL) {
-            char *next_to = string_format("%s%s", directory, slash + 1);
-            next_to = next_to == NULL ? NULL : find_path(next_to, above, is_picture, found);
-            char *other = next_to == NULL || *found ? path : next_to;
-            path = next_to == NULL || *found ? next_to : path;
-            free(other);
+    for (size_t i = 0; i < 4 * FORMS && !*found; i++) {
+        const struct word one = names[i / FORMS], ending = name_ending(one);
+        const bool is_read = ending.length == 0 || image_file_is_readable(ending);
+        const size_t first = is_read ? AS_WRITTEN : AS_PNG;
+        bool again = i >= FORMS && one.length == whole.length;
+        if (again || one.length == 0 || (!is_picture && i % FORMS > 0)) {
+            continue;
         }
+        free(path);
+        path = make_path(naming, one, is_picture ? (enum form)((first + i) % FORMS) : AS_WRITTEN);
         if (path == NULL) {
             return NULL;
         }
+        *found = file_find(path);
+    }
+    if (!*found && name.length > 0) {
+        free(path);
+        path = make_path(naming, rid, AS_WRITTEN);
     }
     return path;
 }

@@ -2,7 +2,6 @@
 #include "files/image_file.h"
 
 #include "base/file.h"
-#include "base/text.h"
 #include "files/known.h"
 #include "files/png.h"
 #include "files/ppm.h"
@@ -46,11 +45,10 @@ bool image_read(struct image *image, const char *path, struct error *error) {
     return done;
 }
 
-bool image_file_is_readable(const char *ending) {
+bool image_file_is_readable(struct word ending) {
     static const char *const readable[] = {"png", "tga", "ppm", "pgm", "pnm"};
     size_t i = 0;
-    while (i < sizeof readable / sizeof readable[0] &&
-           !word_matches((struct word){ending, strlen(ending)}, readable[i])) {
+    while (i < sizeof readable / sizeof readable[0] && !word_matches(ending, readable[i])) {
         i++;
     }
     return i < sizeof readable / sizeof readable[0];

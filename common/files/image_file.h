@@ -7,6 +7,7 @@
 #define COMMON_FILES_IMAGE_FILE_H
 
 #include "base/error.h"
+#include "base/text.h"
 #include "tgaimage.h"
 
 #include <stdbool.h>
@@ -23,7 +24,7 @@ bool image_read(struct image *image, const char *path, struct error *error);
 bool image_decode(struct image *image, const void *data, size_t size, struct error *error);
 
 /* Does a file whose name ends so hold a picture that is read? In small or capital letters. */
-bool image_file_is_readable(const char *ending);
+bool image_file_is_readable(struct word ending);
 
 /* ---- Writing ---- */
 

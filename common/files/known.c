@@ -2,6 +2,7 @@
 #include "files/known.h"
 
 #include "base/text.h"
+#include "files/find.h"
 #include "files/image_file.h"
 
 #include <stdint.h>
@@ -34,10 +35,8 @@ static const struct known_file {
     {"ply\n", 0, "a PLY file", MODEL},
     {"ply\r", 0, "a PLY file", MODEL},
     {"solid", 0, "an STL file", MODEL},
-    {"I\n800\nOBJ", 0, "an OBJ file of X-Plane, which is another format", MODEL},
-    {"A\n800\nOBJ", 0, "an OBJ file of X-Plane, which is another format", MODEL},
-    {"I\r\n800\r\nOBJ", 0, "an OBJ file of X-Plane, which is another format", MODEL},
-    {"A\r\n800\r\nOBJ", 0, "an OBJ file of X-Plane, which is another format", MODEL},
+    {"\n800\nOBJ", 1, "an OBJ file of X-Plane, which is another format", MODEL},
+    {"\r\n800\r\nOBJ", 1, "an OBJ file of X-Plane, which is another format", MODEL},
     {"glTF", 0, "a glTF file", MODEL},
     {"{", 0, "JSON, perhaps a glTF file", MODEL},
     {"Kaydara FBX", 0, "an FBX file", MODEL},
@@ -74,14 +73,14 @@ static bool is_binary_stl(const uint8_t *data, size_t size) {
 /* What converts a picture and, unless its name tells of another kind, all of its kind next to it:
  * find_named() takes them then. */
 static void advise_to_convert(struct error *error, const char *what, const char *path) {
-    const char *slash = strrchr(path, '/'), *name = slash == NULL ? path : slash + 1;
-    const char *dot = strrchr(name, '.'), *quote = strchr(path, ' ') == NULL ? "" : "'";
-    const bool all = dot != NULL && !image_file_is_readable(dot + 1);
+    const struct word ending = name_ending(word_of(path));
+    const bool all = ending.length > 0 && !image_file_is_readable(ending);
+    const char *slash = strrchr(path, '/'), *quote = strchr(path, ' ') == NULL ? "" : "'";
+    const int before = all ? slash == NULL ? 0 : (int)(slash + 1 - path) : (int)strlen(path);
     error_set(error,
               "%s, not a PNG, TGA or PPM file: `mogrify -format png %s%.*s%s%s%s` makes PNG files, "
               "which are drawn then",
-              what, quote, (int)((all ? name : name + strlen(name)) - path), path, quote,
-              all ? "*" : "", all ? dot : "");
+              what, quote, before, path, quote, all ? "*." : "", all ? ending.start : "");
 }
 
 /* Without advice for a model where a picture was wanted, or the other way round. */

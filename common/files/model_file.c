@@ -10,47 +10,49 @@
 #include "files/obj.h"
 #include "files/off.h"
 
-#include <limits.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 /* ---- Reading ---- */
 
-static bool is_named_off(const char *path) {
-    const char *dot = strrchr(path, '.');
-    return dot != NULL && word_matches((struct word){dot, strlen(dot)}, ".off");
-}
-
 /* Say what a file without faces has instead. */
-static bool error_no_faces(const char *path, const void *data, size_t size, unsigned parts,
-                           struct error *error) {
+static bool error_no_faces(const char *path, const void *data, size_t size, struct error *error) {
+    static const struct {
+        const char *keyword, *what;
+    } others[] = {
+        {"l", "lines and no faces, which only lesson 2 draws"},
+        {"cstype", "curves or surfaces and no faces: export polygons"},
+        {"curv", "curves or surfaces and no faces: export polygons"},
+        {"surf", "curves or surfaces and no faces: export polygons"},
+        {"f", "a face of fewer than 3 corners, and no other"},
+        {"p", "points and no faces, which no lesson draws"},
+    };
     struct text text;
     struct error ignored;
     double number;
-    size_t points = 0; /* the first line of points */
+    size_t least = sizeof others / sizeof others[0], line = 0; /* where that is first */
     bool begun = text_begin(&text, data, size, true, &ignored), first = true;
     while (begun && text_next_line(&text)) {
         struct word word = text_next_word(&text);
         if (first && word_to_double(word, &number)) {
             return error_set(error, "begins with a number, as neither OBJ nor OFF does");
         }
-        if (word_is(word, "l") && (parts & MODEL_LINES) == 0) {
-            return text_error(error, text.line, "lines and no faces, which only lesson 2 draws");
+        for (size_t i = 0; i < least; i++) {
+            if (word_is(word, others[i].keyword)) {
+                least = i;
+                line = text.line;
+            }
         }
-        if (word_is(word, "cstype") || word_is(word, "curv") || word_is(word, "surf")) {
-            return text_error(error, text.line, "curves or surfaces and no faces: export polygons");
-        }
-        points = points == 0 && word_is(word, "p") ? text.line : points;
         first = first && word.length == 0;
     }
-    if (is_named_off(path) && !off_recognize(data, size)) {
-        return error_set(error, "does not begin with the word OFF");
+    if (line > 0) {
+        return text_error(error, line, "%s", others[least].what);
     }
-    if (points > 0) {
-        return text_error(error, points, "points and no faces, which no lesson draws");
-    }
-    return error_set(error, size == 0 ? "is empty" : "holds no faces");
+    bool lacks_keyword = name_ends(path, "off") && !off_recognize(data, size);
+    return error_set(error, size == 0       ? "is empty"
+                            : lacks_keyword ? "does not begin with the word OFF"
+                                            : "holds no faces");
 }
 
 /* Bytes of a text that others write as UTF-16. False when memory runs out. */
@@ -73,7 +75,7 @@ static bool decode(struct model *model, const char *path, const void *data, size
     bool done = is_off ? off_decode(model, data, size, parts, error)
                        : obj_decode(model, data, size, parts, error);
     if (done && model->face_count == 0 && model->line_count == 0) {
-        done = error_no_faces(path, data, size, parts, error);
+        done = error_no_faces(path, data, size, error);
     }
     if (!done) {
         model_free(model);
@@ -117,51 +119,35 @@ static void warn(struct model *model, enum model_warning warning, size_t line, c
     }
 }
 
-/* "" or what comes before the name of the file, and ends with '/'. The caller frees it. */
-static char *directory_of(const char *path) {
-    const char *end = strrchr(path, '/');
-    return string_format("%.*s", end == NULL ? 0 : (int)(end + 1 - path), path);
-}
-
-/* Read a file of materials that the model's, in `directory`, names. False when memory runs out;
- * sets whether it is there. */
-static bool read_library(struct model *model, struct word name, const char *directory, bool *found,
-                         struct error *error) {
-    char *path = find_named(name, directory, false, found), *next_to = NULL;
+/* Read a file of materials that the model names. False when memory runs out; sets whether it is
+ * there. */
+static bool read_library(struct model *model, struct word name, bool *found, struct error *error) {
+    char *path = find_named(name, model->path, false, found);
     struct bytes bytes = {0};
     struct error reason = {.message = ""}; /* of a file that cannot be read: it counts as missing */
-    *found = path != NULL && *found && file_read(path, &bytes, &reason);
-    bool done = (path != NULL || name.length == 0) && !error_is_out_of_memory(&reason);
-    if (*found) {
-        next_to = directory_of(path);
-        done = next_to != NULL && make_utf8(&bytes) &&
-               mtl_decode(model, bytes.data, bytes.size, next_to, error);
-    }
+    *found = *found && file_read(path, &bytes, &reason);
+    bool done =
+        (path != NULL || name.length == 0) && !error_is_out_of_memory(&reason) &&
+        (!*found || (make_utf8(&bytes) && mtl_decode(model, bytes.data, bytes.size, path, error)));
     bytes_free(&bytes);
-    free(next_to);
     free(path);
     return done || error_out_of_memory(error);
 }
 
 /* Those that one statement names: a name may hold blanks, or there are several. */
 static bool read_line_of_libraries(struct model *model, struct model_library line,
-                                   const char *directory, struct error *error) {
+                                   struct error *error) {
+    const struct word whole = word_of(line.name);
     struct text text;
-    bool found, each;
-    text_peek(&text, line.name, strlen(line.name));
-    if (!read_library(model, (struct word){line.name, strlen(line.name)}, directory, &found,
-                      error)) {
-        return false;
-    }
-    for (bool whole = found; !whole && text_find_word(&text); found = found || each) {
-        if (!read_library(model, text_next_word(&text), directory, &each, error)) {
-            return false;
-        }
+    bool found, each, done = read_library(model, whole, &found, error);
+    text_peek(&text, whole.start, whole.length);
+    for (bool several = !found; done && several && text_find_word(&text); found |= each) {
+        done = read_library(model, text_next_word(&text), &each, error);
     }
     if (!found) {
         warn(model, MODEL_LIBRARY_MISSING, line.line, line.name);
     }
-    return true;
+    return done;
 }
 
 /* What programs write for faces that have no material. */
@@ -171,12 +157,10 @@ static bool is_name_of_none(const char *name) {
 
 /* Read all that the model names, if faces have materials; say what is missing. */
 static bool read_libraries(struct model *model, struct error *error) {
-    char *directory = directory_of(model->path);
-    bool done = directory != NULL || error_out_of_memory(error);
+    bool done = true;
     for (size_t i = 0; done && model->material_count > 0 && i < model->library_count; i++) {
-        done = read_line_of_libraries(model, model->libraries[i], directory, error);
+        done = read_line_of_libraries(model, model->libraries[i], error);
     }
-    free(directory);
     for (size_t i = 0; i < model->material_count; i++) {
         const struct model_material *material = &model->materials[i];
         if (!material->known && !is_name_of_none(material->name) &&
@@ -223,13 +207,6 @@ enum {
     EXTENSIONS = sizeof texture_extensions / sizeof texture_extensions[0],
     SUFFIXES = sizeof texture_suffixes[0] / sizeof texture_suffixes[0][0]
 };
-
-/* The name of a model's file without its extension: how many bytes. */
-static int stem_length(const char *name) {
-    const char *dot = strrchr(name, '.');
-    size_t length = dot == NULL || dot == name ? strlen(name) : (size_t)(dot - name);
-    return length > INT_MAX ? 0 : (int)length;
-}
 
 /* Turn the normals that a picture holds, as levels (coordinate + 1) * 127.5. */
 static void turn_normals(struct image *image, const int turns[3]) {
@@ -315,26 +292,23 @@ bool model_read_normal_map(struct texture *texture, const char *path, const int 
 }
 
 char *model_find_texture(const struct model *model, enum model_texture_kind kind, bool *found) {
-    char *names[SUFFIXES * EXTENSIONS] = {NULL};
-    size_t count = 0;
-    *found = model->texture_files[kind] != NULL;
-    if (*found) {
-        return string_format("%s", model->texture_files[kind]);
+    const char *chosen = model->texture_files[kind], *name = model->path;
+    const struct word ending = name_ending(word_of(name));
+    const int stem = (int)(ending.start - name) - (ending.length > 0);
+    char *path = chosen != NULL ? string_format("%s", chosen) : NULL;
+    *found = chosen != NULL;
+    for (size_t i = 0; !*found && i <= SUFFIXES * EXTENSIONS; i++) { /* at last the first again */
+        const char *suffix = texture_suffixes[kind][i / EXTENSIONS % SUFFIXES];
+        if (suffix == NULL) {
+            continue;
+        }
+        free(path);
+        path = string_format("%.*s%s.%s", stem, name, suffix, texture_extensions[i % EXTENSIONS]);
+        if (path == NULL) {
+            return NULL;
+        }
+        *found = i < SUFFIXES * EXTENSIONS && file_find(path);
     }
-    char *directory = directory_of(model->path);
-    const char *name = model->path + (directory == NULL ? 0 : strlen(directory)), *suffix;
-    bool done = directory != NULL;
-    while (done && count < SUFFIXES * EXTENSIONS &&
-           (suffix = texture_suffixes[kind][count / EXTENSIONS]) != NULL) {
-        names[count] = string_format("%.*s%s.%s", stem_length(name), name, suffix,
-                                     texture_extensions[count % EXTENSIONS]);
-        done = names[count++] != NULL;
-    }
-    char *path = done ? find_first(directory, names, count, found) : NULL;
-    for (size_t i = 0; i < count; i++) {
-        free(names[i]);
-    }
-    free(directory);
     return path;
 }
 

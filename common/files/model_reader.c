@@ -78,17 +78,19 @@ static bool is_float(double number) {
     return fabs(number) <= FLT_MAX;
 }
 
+static bool is_wrong(struct vec3 p) {
+    return !is_float(p.x) || !is_float(p.y) || !is_float(p.z);
+}
+
 bool reader_add_position(struct model_reader *reader, const double position[3]) {
     struct model *model = reader->model;
-    for (int i = 0; i < 3; i++) {
-        reader->has_wrong_positions |= !is_float(position[i]);
-    }
+    struct vec3 p = {position[0], position[1], position[2]};
+    reader->has_wrong_positions |= is_wrong(p);
     if (!extend(reader, &model->positions, &reader->position_capacity, model->position_count + 1,
                 sizeof *model->positions)) {
         return false;
     }
-    model->positions[model->position_count++] =
-        (struct vec3){position[0], position[1], position[2]};
+    model->positions[model->position_count++] = p;
     return true;
 }
 
@@ -211,12 +213,14 @@ static bool finish_colors(struct model_reader *reader, float (**colors)[3],
 
 enum { MATERIAL_LIMIT = 1024 }; /* they are looked for one after the other */
 
-/* Faces that have no material yet get the current one. */
-static bool fill_materials(struct model_reader *reader) {
+/* Faces that have no material or no group yet get the current one, once the file names any. */
+static bool fill_faces(struct model_reader *reader) {
     struct model *model = reader->model;
-    return model->material_count == 0 ||
-           fill(reader, &model->face_materials, &reader->face_materials, model->face_count,
-                &reader->material, sizeof reader->material);
+    return (model->material_count == 0 ||
+            fill(reader, &model->face_materials, &reader->face_materials, model->face_count,
+                 &reader->material, sizeof reader->material)) &&
+           (!reader->has_groups || fill(reader, &model->face_groups, &reader->face_groups,
+                                        model->face_count, &reader->group, sizeof reader->group));
 }
 
 /* A copy of the word that ends with a zero; the caller frees it. */
@@ -252,22 +256,15 @@ bool reader_use_material(struct model_reader *reader, struct word name) {
         }
         model->materials[model->material_count++] = material;
     }
-    bool done = fill_materials(reader);
+    bool done = fill_faces(reader);
     reader->material = i < MATERIAL_LIMIT ? (uint32_t)i : MODEL_NONE;
     return done;
-}
-
-/* Faces that have no group yet get the current one. */
-static bool fill_groups(struct model_reader *reader) {
-    return !reader->has_groups ||
-           fill(reader, &reader->model->face_groups, &reader->face_groups,
-                reader->model->face_count, &reader->group, sizeof reader->group);
 }
 
 bool reader_use_group(struct model_reader *reader, uint32_t group) {
     reader->group = reader->has_groups ? reader->group : MODEL_NONE;
     reader->has_groups = true;
-    bool done = fill_groups(reader);
+    bool done = fill_faces(reader);
     reader->group = group;
     return done;
 }
@@ -282,10 +279,6 @@ bool reader_add_library(struct model_reader *reader, struct word name) {
     }
     model->libraries[model->library_count++] = (struct model_library){copy, reader->line};
     return true;
-}
-
-static bool is_wrong(struct vec3 p) {
-    return !is_float(p.x) || !is_float(p.y) || !is_float(p.z);
 }
 
 /* Are the polygon's positions numbers, and not too large? */
@@ -312,7 +305,7 @@ bool reader_finish(struct model_reader *reader) {
     struct model *model = reader->model;
     mend_positions(reader);
     drop_wrong_normals(reader);
-    return fill_materials(reader) && fill_groups(reader) &&
+    return fill_faces(reader) &&
            finish_colors(reader, &model->colors, &reader->colors, model->position_count,
                          unit_of_colors(reader)) &&
            finish_colors(reader, &model->face_colors, &reader->face_colors, model->face_count, 1);

@@ -8,21 +8,18 @@
 #include <stdlib.h>
 #include <string.h>
 
-static bool is_same(struct word a, struct word b) {
-    return a.length == b.length && (a.length == 0 || memcmp(a.start, b.start, a.length) == 0);
-}
-
 /* The material of that name or else, since a name may hold anything, of the same name with a
  * comment behind it here or there. */
 static struct model_material *find_material(struct model *model, struct word name) {
     struct model_material *similar = NULL;
     for (size_t i = 0; i < model->material_count; i++) {
         const char *own = model->materials[i].name;
-        struct word whole = {own, strlen(own)};
-        if (is_same(name, whole)) {
+        struct word other = name_without_rest(word_of(own));
+        if (word_is(name, own)) {
             return &model->materials[i];
         }
-        if (is_same(name_without_rest(name), whole) || is_same(name, name_without_rest(whole))) {
+        if (word_is(name_without_rest(name), own) ||
+            (name.length == other.length && memcmp(name.start, own, name.length) == 0)) {
             similar = &model->materials[i];
         }
     }
@@ -102,18 +99,18 @@ static void read_options(struct text *text, struct model_material *material) {
 }
 
 /* A map of the material: its options, and its path instead of the last one. */
-static bool read_map(struct text *text, struct model_material *options, const char *directory,
+static bool read_map(struct text *text, struct model_material *options, const char *library,
                      char **path) {
     read_options(text, options);
     struct word name = text_rest_of_line(text);
     bool found;
     free(*path);
-    *path = find_named(name, directory, true, &found);
+    *path = find_named(name, library, true, &found);
     return name.length == 0 || *path != NULL;
 }
 
 /* Keywords are written in small or capital letters. False when memory runs out. */
-static bool read_statement(struct text *text, struct word keyword, const char *directory,
+static bool read_statement(struct text *text, struct word keyword, const char *library,
                            struct model_material *material) {
     double number;
     struct model_material options = {.bump = 1}; /* of other maps than that of the colours */
@@ -139,14 +136,14 @@ static bool read_statement(struct text *text, struct word keyword, const char *d
         material->glassy = true;
     } else if (word_matches(keyword, "map_Kd")) {
         options.bump = material->bump; /* is not its own */
-        bool done = read_map(text, material, directory, &material->texture);
+        bool done = read_map(text, material, library, &material->texture);
         material->bump = options.bump;
         return done;
     } else if (word_matches(keyword, "map_Ks") || word_matches(keyword, "map_Ns")) {
-        return read_map(text, &options, directory, &material->shine);
+        return read_map(text, &options, library, &material->shine);
     } else if (is_norm || (is_bump && !material->is_norm)) {
         material->is_norm = is_norm;
-        bool done = read_map(text, &options, directory, &material->bumps);
+        bool done = read_map(text, &options, library, &material->bumps);
         material->bump = options.bump;
         return done;
     }
@@ -164,7 +161,7 @@ static void warn_of_glass(struct model *model) {
     }
 }
 
-bool mtl_decode(struct model *model, const void *data, size_t size, const char *directory,
+bool mtl_decode(struct model *model, const void *data, size_t size, const char *path,
                 struct error *error) {
     struct text text;
     struct error ignored;
@@ -179,7 +176,7 @@ bool mtl_decode(struct model *model, const void *data, size_t size, const char *
             if (material != NULL) {
                 material->known = true;
             }
-        } else if (material != NULL && !read_statement(&text, keyword, directory, material)) {
+        } else if (material != NULL && !read_statement(&text, keyword, path, material)) {
             return error_out_of_memory(error);
         }
     }

@@ -73,11 +73,6 @@ enum {
     NEIGHBOURS = 8     /* looked at where so many faces meet in an edge that it means nothing */
 };
 
-/* The edge from the position to another one, of the face that is `corner` in its list. */
-struct spoke {
-    uint32_t to, corner;
-};
-
 /* A corner at the position, the first of its fan for all of them. */
 struct leaf {
     struct vec3 face_normal; /* of length 1 or 0 */
@@ -85,23 +80,21 @@ struct leaf {
     uint32_t normal;         /* MODEL_NONE: none yet */
 };
 
-/* Of a position. The arrays have room for as many corners as any position has. */
+/* Of a position. A leaf has two spokes, the edges of its face that meet there; they are numbered
+ * from 1 through the whole model. */
 struct fans {
     struct model *model;
     double least;           /* cosine of the angle between faces from which on an edge is hard */
     bool all;               /* none is */
     const uint32_t *corner; /* 3 * face + 0, 1 or 2 */
     size_t count;
+    size_t spokes; /* of positions before */
+    size_t *last;  /* the last spoke to each position, from this one or from one before */
+    /* Room for as many corners as any position has. */
     struct leaf *leaves;
-    struct spoke *spokes; /* two a corner */
-    size_t *lower;        /* see sets_join() */
+    size_t *earlier; /* of a spoke: the last one before it that leads to the same position; or 0 */
+    size_t *lower;   /* see sets_join() */
 };
-
-static int compare_spokes(const void *a, const void *b) {
-    const struct spoke *x = a, *y = b;
-    return x->to != y->to ? (x->to > y->to) - (x->to < y->to)
-                          : (x->corner > y->corner) - (x->corner < y->corner);
-}
 
 /* Is the edge between these two corners' faces soft? The file's smoothing groups say so, or the
  * angle. A face without area says nothing. */
@@ -119,38 +112,30 @@ static bool is_soft(const struct fans *fans, size_t a, size_t b) {
 }
 
 static void find_fans(const struct fans *fans) {
-    const struct model *model = fans->model;
-    const size_t spokes = 2 * fans->count;
-    for (size_t i = 0; i < fans->count; i++) {
-        const struct corner *corner = model->faces[fans->corner[i] / 3].corner;
-        const uint32_t at = fans->corner[i] % 3, number = (uint32_t)i;
-        fans->spokes[2 * i] = (struct spoke){corner[(at + 1) % 3].position, number};
-        fans->spokes[2 * i + 1] = (struct spoke){corner[(at + 2) % 3].position, number};
-        fans->lower[i] = fans->all ? 0 : i;
-    }
-    if (fans->all) {
-        return;
-    }
-    qsort(fans->spokes, spokes, sizeof *fans->spokes, compare_spokes);
-    for (size_t i = 0; i < spokes; i++) {
-        const struct spoke *one = &fans->spokes[i], *other = one + 1;
-        for (; other < fans->spokes + spokes && other <= one + NEIGHBOURS && other->to == one->to;
-             other++) {
-            if (is_soft(fans, one->corner, other->corner)) {
-                sets_join(fans->lower, one->corner, other->corner);
+    for (size_t i = 0; i < 2 * fans->count; i++) {
+        const uint32_t corner = fans->corner[i / 2];
+        size_t *last =
+            &fans->last
+                 [fans->model->faces[corner / 3].corner[(corner % 3 + 1 + i % 2) % 3].position];
+        fans->earlier[i] = *last > fans->spokes ? *last - fans->spokes : 0;
+        *last = fans->spokes + i + 1;
+        for (size_t k = 0, other = fans->earlier[i]; k < NEIGHBOURS && other > 0; k++) {
+            if (is_soft(fans, i / 2, (other - 1) / 2)) {
+                sets_join(fans->lower, i / 2, (other - 1) / 2);
             }
+            other = fans->earlier[other - 1];
         }
     }
 }
 
 /* Give the bare corners of the position the normal of their fan: the sum of those of its faces,
  * weighted by the angle of each there. False when memory runs out. */
-static bool give_normals(struct fans *fans, size_t *capacity) {
+static bool give_normals(const struct fans *fans, size_t *capacity) {
     struct model *model = fans->model;
     for (size_t i = 0; i < fans->count; i++) {
-        fans->leaves[i] = (struct leaf){
-            .face_normal = vec3_normalized(model_face_normal(model, fans->corner[i] / 3)),
-            .normal = MODEL_NONE};
+        struct vec3 normal = vec3_normalized(model_face_normal(model, fans->corner[i] / 3));
+        fans->leaves[i] = (struct leaf){.face_normal = normal, .normal = MODEL_NONE};
+        fans->lower[i] = fans->all ? 0 : i;
     }
     find_fans(fans);
     for (size_t i = 0; i < fans->count; i++) {
@@ -196,30 +181,6 @@ static size_t sort_corners(const struct model *model, uint32_t *corners, uint32_
     return most;
 }
 
-static bool share_normals(struct model *model, uint32_t *corners, uint32_t *ends) {
-    const double degrees = model->hard_given ? model->hard_degrees : HARD_DEGREES;
-    const double rounding = 0.1; /* of positions in files */
-    size_t most = sort_corners(model, corners, ends), capacity = model->normal_count;
-    struct fans fans = {
-        .model = model,
-        .least = turn_direction((degrees + rounding) / 360).x,
-        .all = degrees >= 180,
-        .leaves = calloc(most + 1, sizeof *fans.leaves),
-        .spokes = calloc(2 * most + 1, sizeof *fans.spokes),
-        .lower = calloc(most + 1, sizeof *fans.lower),
-    };
-    bool done = fans.leaves != NULL && fans.spokes != NULL && fans.lower != NULL;
-    for (size_t i = 0, begin = 0; done && i < model->position_count; begin = ends[i++]) {
-        fans.corner = corners + begin;
-        fans.count = ends[i] - begin;
-        done = give_normals(&fans, &capacity);
-    }
-    free(fans.leaves);
-    free(fans.spokes);
-    free(fans.lower);
-    return done;
-}
-
 static bool lacks_normals(const struct model *model) {
     size_t i = 0;
     while (i < 3 * model->face_count && model->faces[i / 3].corner[i % 3].normal != MODEL_NONE) {
@@ -229,14 +190,37 @@ static bool lacks_normals(const struct model *model) {
 }
 
 bool model_need_normals(struct model *model, struct error *error) {
+    const double degrees = model->hard_given ? model->hard_degrees : HARD_DEGREES;
+    const double rounding = 0.1; /* of positions in files */
     if (!lacks_normals(model)) {
         return true;
     }
-    uint32_t *corners = NULL, *ends = calloc(model->position_count, sizeof *ends);
-    if (model->face_count <= UINT32_MAX / 3) {
-        corners = calloc(3 * model->face_count, sizeof *corners);
+    const size_t limit = model->face_count <= UINT32_MAX / 3 ? 3 * model->face_count : SIZE_MAX;
+    uint32_t *corners = calloc(limit, sizeof *corners);
+    uint32_t *ends = calloc(model->position_count, sizeof *ends);
+    bool done = corners != NULL && ends != NULL;
+    size_t most = done ? sort_corners(model, corners, ends) : 0, capacity = model->normal_count;
+    struct fans fans = {
+        .model = model,
+        .least = turn_direction((degrees + rounding) / 360).x,
+        .all = degrees >= 180,
+        .last = calloc(model->position_count, sizeof *fans.last),
+        .leaves = calloc(most + 1, sizeof *fans.leaves),
+        .earlier = calloc(2 * most + 1, sizeof *fans.earlier),
+        .lower = calloc(most + 1, sizeof *fans.lower),
+    };
+    done = done && fans.last != NULL && fans.leaves != NULL && fans.earlier != NULL &&
+           fans.lower != NULL;
+    for (size_t i = 0, begin = 0; done && i < model->position_count; begin = ends[i++]) {
+        fans.corner = corners + begin;
+        fans.count = ends[i] - begin;
+        fans.spokes = 2 * begin;
+        done = give_normals(&fans, &capacity);
     }
-    bool done = corners != NULL && ends != NULL && share_normals(model, corners, ends);
+    free(fans.last);
+    free(fans.leaves);
+    free(fans.earlier);
+    free(fans.lower);
     free(corners);
     free(ends);
     return done || error_out_of_memory(error);

@@ -22,7 +22,6 @@ enum {
     HEADER_SIZE = 13,         /* of IHDR */
     FRAME_NUMBER_SIZE = 4,    /* of fdAT, before its pixels */
     PIXEL_LIMIT = 8,          /* bytes of a pixel */
-    PIXELS_OF_ANY = 1 << 24,  /* pixels that any file may have, however small it is */
     PALETTE_LIMIT = 256,
     PASSES = 8
 };
@@ -507,12 +506,6 @@ static bool decode_pixels(const struct png *png, struct image *image, struct err
     if (raw_size / DEFLATE_RATIO_LIMIT > png->compressed.size || raw_size > SIZE_MAX / 2) {
         return error_set(error, "a PNG cut off: %zu bytes cannot hold %zux%zu pixels",
                          png->compressed.size, png->width, png->height);
-    }
-    /* Pixels of less than a byte become whole ones, or four of them. */
-    uint64_t pixels = (uint64_t)png->width * png->height;
-    if (pixels > PIXELS_OF_ANY && pixels / DEFLATE_RATIO_LIMIT > png->compressed.size) {
-        return error_set(error, "a PNG of %zux%zu pixels in no more than %zu bytes is not read",
-                         png->width, png->height, png->compressed.size);
     }
     if (!image_check_size(png->width, png->height, png->compressed.size, error)) {
         return false;

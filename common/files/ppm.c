@@ -1,6 +1,8 @@
 /* PPM and PGM in and out; see ppm.h. */
 #include "files/ppm.h"
+
 #include "base/file.h"
+#include "base/text.h"
 
 #include <stdint.h>
 #include <string.h>
@@ -13,59 +15,48 @@ bool ppm_is_possible(const void *data, size_t size) {
            memchr(" \t\r\n#", bytes[2], 5) != NULL;
 }
 
-/* The bytes that are not yet read. */
-struct source {
-    const uint8_t *next, *end;
-};
-
-/* A number behind blanks and comments, of at most 65535. */
-static bool next_number(struct source *source, unsigned *number) {
-    bool comment = false, any = false;
-    const uint8_t *p = source->next;
-    for (; p < source->end && (comment || *p == '#' || memchr(" \t\r\n", *p, 4) != NULL); p++) {
-        comment = (comment || *p == '#') && *p != '\n';
+/* The next number, of at most 65535, behind blanks, lines and comments. */
+static bool next_number(struct text *text, int64_t *number) {
+    struct word word = text_next_word(text);
+    while (word.length == 0 && text_next_line(text)) {
+        word = text_next_word(text);
     }
-    *number = 0;
-    for (; p < source->end && *p >= '0' && *p <= '9' && *number <= UINT16_MAX; p++, any = true) {
-        *number = 10 * *number + (*p - (unsigned)'0');
-    }
-    source->next = p;
-    return any && *number <= UINT16_MAX;
+    return word_to_integer(word, number) && *number >= 0 && *number <= UINT16_MAX;
 }
 
 bool ppm_decode(struct image *image, const void *data, size_t size, struct error *error) {
-    const uint8_t *bytes = data;
-    struct source source = {bytes + 2, bytes + size};
+    const char *bytes = data;
     const bool is_text = bytes[1] < '4', is_grey = bytes[1] == '2' || bytes[1] == '5';
     const size_t step = is_grey ? 1 : 3;
-    unsigned width, height, most;
+    struct text text;
+    int64_t width, height, most, sample;
     *image = (struct image){0};
-    if (!next_number(&source, &width) || !next_number(&source, &height) ||
-        !next_number(&source, &most) || most == 0 || source.next == source.end) {
+    text_peek(&text, bytes + 2, size - 2);
+    if (!next_number(&text, &width) || !next_number(&text, &height) || !next_number(&text, &most) ||
+        most == 0 || text.next == text.end) {
         return error_set(error, "a PPM without a width, a height and a greatest value");
     }
-    const unsigned sample_size = is_text || most > 255 ? 2 : 1; /* a number has a blank behind it */
-    const uint64_t count = (uint64_t)width * height * step,
-                   left = (uint64_t)(source.end - source.next);
-    if (count * sample_size >= left + is_text) {
-        return error_set(error, "a PPM cut off: %ux%u pixels do not fit in %zu bytes", width,
-                         height, size);
+    const uint8_t *next = (const uint8_t *)text.next + 1;
+    const size_t sample_size = is_text || most > 255 ? 2 : 1; /* a number has a blank behind it */
+    const size_t w = (size_t)width, h = (size_t)height, count = w * h * step;
+    if (count * sample_size >= (size_t)(text.end - text.next) + is_text) {
+        return error_set(error, "a PPM cut off: %zux%zu pixels do not fit in %zu bytes", w, h,
+                         size);
     }
-    if (!image_create_unset(image, width, height, (enum image_format)step, error)) {
+    if (!image_create_unset(image, w, h, (enum image_format)step, error)) {
         return false;
     }
-    source.next++;
     for (size_t i = 0; i < count; i++) {
-        unsigned sample = 0;
-        for (unsigned k = 0; !is_text && k < sample_size; k++) {
-            sample = sample << 8 | *source.next++;
+        sample = 0;
+        for (size_t k = 0; !is_text && k < sample_size; k++) {
+            sample = sample << 8 | *next++;
         }
-        if (is_text && !next_number(&source, &sample)) {
+        if (is_text && !next_number(&text, &sample)) {
             image_free(image);
             return error_set(error, "a PPM whose samples are no numbers, or too few");
         }
-        const size_t pixel = i / step, row = height - 1 - pixel / width; /* the top comes first */
-        image->pixels[(row * width + pixel % width) * step + (step - 1 - i % step)] =
+        const size_t row = h - 1 - i / step / w, x = i / step % w; /* the top comes first */
+        image->pixels[(row * w + x) * step + (step - 1 - i % step)] =
             (uint8_t)(((sample < most ? sample : most) * 255 + most / 2) / most);
     }
     return true;

@@ -281,11 +281,14 @@ static bool note_missing(struct run *run, unsigned needs, struct error *error) {
     struct error *note = NULL;
     for (int kind = 0; kind < MODEL_TEXTURE_KINDS; kind++) {
         bool found;
+        if ((needs & replacements[kind].need) == 0 || run->is_replaced[kind]) {
+            continue;
+        }
         char *path = model_find_texture(run->model, (enum model_texture_kind)kind, &found);
         if (path == NULL) {
             return error_out_of_memory(error);
         }
-        if (!found && (needs & replacements[kind].need) != 0 && !run->is_replaced[kind]) {
+        if (!found) {
             const char *slash = strrchr(path, '/'), *comma = note == NULL ? "" : ", ";
             string_append(names, sizeof names, "%s%s", comma, slash == NULL ? path : slash + 1);
             string_append(instead, sizeof instead, "%s%s", comma,

@@ -3,6 +3,7 @@
 
 #include "base/array.h"
 #include "base/text.h"
+#include "files/find.h"
 
 #include <inttypes.h>
 #include <math.h>
@@ -191,9 +192,7 @@ bool text_scene_read(struct text_scene *scene, const char *path, enum text_scene
         return false;
     }
     bool done = text_scene_decode(scene, bytes.data, bytes.size, kind, error);
-    const char *dot = strrchr(path, '.');
-    struct word ending = {dot, dot == NULL ? 0 : strlen(dot)};
-    if (!done && (word_matches(ending, ".obj") || word_matches(ending, ".off"))) {
+    if (!done && (name_ends(path, "obj") || name_ends(path, "off"))) {
         error_set(error, "a model, but this lesson draws text scenes; try --help");
         error->line = 0;
     }

@@ -418,36 +418,34 @@ static void test_size(void) {
     place_remove(&place, "none");
 }
 
-/* The first name that a file has in any letters, which the name gets then; no file where two fit.
- * */
-static void test_directory_find(void) {
+/* A file in other letters, which the path gets then; none where two fit. */
+static void test_find(void) {
     static const struct {
-        const char *first, *second, *found; /* NULL: none */
-        size_t which;
+        const char *path, *found; /* NULL: none */
     } rows[] = {
-        {"NOTE.TXT", "x", "Note.txt", 0},
-        {"x", "nOTe.txt", "Note.txt", 1},
-        {"note.tx", "note.txtt", NULL, 2},
-        {"Note.txt", "x", "Note.txt", 0},
-        {"TWO", "x", NULL, 2},
-        {"two", "note.txt", NULL, 2},
-        {"note.txt", "two", "Note.txt", 0},
-        {"n\xC3\x84", "x", NULL, 2},
+        {"NOTE.TXT", "Note.txt"},
+        {"Note.txt", "Note.txt"},
+        {"note.tx", NULL},
+        {"note.txtt", NULL},
+        {"TWO", NULL},
+        {"two", NULL},
+        {"tWO", "tWO"},
+        {"n\xC3\x84", NULL},
+        {"note.txt/x", NULL},
+        {"none/note.txt", NULL},
+        {"//Two", "//Two"},
+        {"N\xC3\xA4", "n\xC3\xA4"},
     };
     struct place place = place_create();
     CHECK(put_text(name_file(&place, "Note.txt"), "") && put_text(name_file(&place, "Two"), "") &&
           put_text(name_file(&place, "tWO"), "") && put_text(name_file(&place, "n\xC3\xA4"), ""));
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
-        char first[20], second[20];
-        snprintf(first, sizeof first, "%s", rows[i].first);
-        snprintf(second, sizeof second, "%s", rows[i].second);
-        char *const names[] = {first, second};
-        CHECK_ROW(directory_find(place.directory, names, 2) == rows[i].which, rows[i].first);
-        CHECK_ROW(rows[i].found == NULL || strcmp(names[rows[i].which], rows[i].found) == 0,
-                  rows[i].first);
+        char path[200];
+        snprintf(path, sizeof path, "%s", name_file(&place, rows[i].path));
+        CHECK_ROW(file_find(path) == (rows[i].found != NULL), rows[i].path);
+        CHECK_ROW(rows[i].found == NULL || strcmp(path, name_file(&place, rows[i].found)) == 0,
+                  rows[i].path);
     }
-    char name[] = "note.txt", *const names[] = {name};
-    CHECK(directory_find(name_file(&place, "none"), names, 1) == 1);
     place_remove(&place, "Note.txt,Two,tWO,n\xC3\xA4");
 }
 
@@ -502,5 +500,5 @@ UNIT_MAIN(TEST(test_printable_texts), TEST(test_names_of_files), TEST(test_long_
           TEST(test_bytes), TEST(test_read), TEST(test_read_errors), TEST(test_standard_input),
           TEST(test_write), TEST(test_write_without_input), TEST(test_write_errors),
           TEST(test_write_protection), TEST(test_write_from_elsewhere), TEST(test_directory),
-          TEST(test_dangling_link), TEST(test_size), TEST(test_directory_find),
-          TEST(test_limit_of_file_size), TEST(test_ended_while_writing), TEST(test_devices))
+          TEST(test_dangling_link), TEST(test_size), TEST(test_find), TEST(test_limit_of_file_size),
+          TEST(test_ended_while_writing), TEST(test_devices))

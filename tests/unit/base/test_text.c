@@ -119,10 +119,6 @@ static void test_long_line(void) {
     free(data);
 }
 
-static struct word word_of(const char *string) {
-    return (struct word){string, strlen(string)};
-}
-
 static void test_words(void) {
     CHECK(word_is(word_of("vt"), "vt"));
     CHECK(!word_is(word_of("v"), "vt"));

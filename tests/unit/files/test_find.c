@@ -81,22 +81,4 @@ static void test_find_named(void) {
                          "no_ending.png,a.mtl,two words.mtl");
 }
 
-/* The first of the names counts, in whatever letters. */
-static void test_find_first(void) {
-    struct place place = place_create();
-    char directory[60], a[] = "a.tga", b[] = "b.tga", c[] = "c.tga", *const names[] = {a, b, c};
-    bool found = true;
-    snprintf(directory, sizeof directory, "%s/", place.directory);
-    for (int round = 0; round < 4; round++) {
-        static const char *const put[] = {NULL, "c.tga", "B.Tga", "A.TGA"};
-        static const char *const expected[] = {"a.tga", "c.tga", "B.Tga", "A.TGA"};
-        CHECK(round == 0 || put_text(name_file(&place, put[round]), ""));
-        char *path = find_first(directory, names, 3, &found);
-        CHECK(found == (round > 0));
-        CHECK_TEXT(path, name_file(&place, expected[round]));
-        free(path);
-    }
-    place_remove(&place, "c.tga,B.Tga,A.TGA");
-}
-
-UNIT_MAIN(TEST(test_find_named), TEST(test_find_first))
+UNIT_MAIN(TEST(test_find_named))
