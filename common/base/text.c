@@ -70,10 +70,6 @@ bool word_begins(struct word word, const char *beginning) {
     return beginning[i] == '\0';
 }
 
-bool word_matches(struct word word, const char *string) {
-    return word.length == strlen(string) && word_begins(word, string);
-}
-
 static bool is_line_end(char c) {
     return c == '\n' || c == '\r';
 }
@@ -119,30 +115,12 @@ bool text_begin(struct text *text, const void *data, size_t size, bool continuat
     return true;
 }
 
-/* Go over what is left of this line. Only a backslash before its end makes it matter what is
- * there: in a comment it joins nothing. */
-static void skip_rest_of_line(struct text *text) {
-    const char *p = text->next;
-    while (p < text->end && !is_line_end(*p)) {
-        p++;
-    }
-    const char *last = p;
-    while (text->continuation && last > text->next && is_blank(last[-1])) {
-        last--;
-    }
-    if (text->continuation && last > text->next && last[-1] == '\\') {
-        while (text_next_word(text).length > 0) {
-        }
-        return;
-    }
-    text->next = p;
-}
-
 bool text_next_line(struct text *text) {
     if (text->line > 0 && text->next < text->end && *text->next == '\n') {
         text->next++; /* most lines have been read to their ends */
     } else if (text->line > 0) {
-        skip_rest_of_line(text);
+        while (text_next_word(text).length > 0) { /* it may be joined with the next */
+        }
         text->next = over_line_end(text->next, text->end);
     }
     if (text->next == text->end) {

@@ -70,7 +70,9 @@ static inline struct word word_of(const char *string) {
 bool word_begins(struct word word, const char *beginning);
 
 /* Is it this string, in small or in capital letters? */
-bool word_matches(struct word word, const char *string);
+static inline bool word_matches(struct word word, const char *string) {
+    return word.length == strlen(string) && word_begins(word, string);
+}
 
 /* Is the word exactly this string? */
 static inline bool word_is(struct word word, const char *string) {

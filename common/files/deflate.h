@@ -21,7 +21,7 @@ enum { DEFLATE_RATIO_LIMIT = 1032 };
 bool zlib_compress(const void *data, size_t size, struct bytes *out, struct error *error);
 
 /* Decompress a zlib stream that must give `out_size` bytes. Every code, distance and length up to
- * there is checked and, where the stream ends with them, its checksum; all that follows is ignored.
+ * there is checked; all that follows is ignored, even its checksum (a PNG's chunks have their own).
  * On an error `out` is half-filled. */
 bool zlib_decompress(const void *data, size_t size, void *out, size_t out_size,
                      struct error *error);

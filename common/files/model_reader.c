@@ -223,14 +223,9 @@ static bool fill_faces(struct model_reader *reader) {
                                         model->face_count, &reader->group, sizeof reader->group));
 }
 
-/* A copy of the word that ends with a zero; the caller frees it. */
+/* A copy as a string, which the caller frees. */
 static char *copy_word(struct word word) {
-    char *copy = malloc(word.length + 1);
-    if (copy != NULL) {
-        memcpy(copy, word.length > 0 ? word.start : "", word.length);
-        copy[word.length] = '\0';
-    }
-    return copy;
+    return string_format("%.*s", (int)word.length, word.length > 0 ? word.start : "");
 }
 
 bool reader_use_material(struct model_reader *reader, struct word name) {

@@ -211,42 +211,27 @@ static bool read_group(struct obj *obj) {
 
 /* ---- All of it ---- */
 
-enum { LONGEST_KEYWORD = 6 };
-
-/* The keyword in small letters, as a few writers do not write it. */
-static struct word in_small_letters(struct word keyword, char copy[LONGEST_KEYWORD]) {
-    if (keyword.length <= LONGEST_KEYWORD) {
-        for (size_t i = 0; i < keyword.length; i++) {
-            copy[i] = (char)(keyword.start[i] | 0x20);
-        }
-        keyword.start = copy;
-    }
-    return keyword;
-}
-
-/* Lines with other keywords are passed over. */
+/* Keywords may be in capital letters, as a few writers have them; others are passed over. */
 static bool read_lines(struct obj *obj) {
     struct word keyword;
-    char copy[LONGEST_KEYWORD];
     bool done = true;
     while (done && reader_next_line(&obj->reader, &keyword)) {
-        keyword = in_small_letters(keyword, copy);
-        if (word_is(keyword, "v")) {
+        if (word_matches(keyword, "v")) {
             done = read_attribute(obj, POSITION);
-        } else if (word_is(keyword, "vt")) {
+        } else if (word_matches(keyword, "vt")) {
             done = read_attribute(obj, UV);
-        } else if (word_is(keyword, "vn")) {
+        } else if (word_matches(keyword, "vn")) {
             done = read_attribute(obj, NORMAL);
-        } else if (word_is(keyword, "f") || word_is(keyword, "fo")) {
+        } else if (word_matches(keyword, "f") || word_matches(keyword, "fo")) {
             done = read_face(obj);
-        } else if (word_is(keyword, "l")) {
+        } else if (word_matches(keyword, "l")) {
             done = read_line(obj);
-        } else if (word_is(keyword, "s")) {
+        } else if (word_matches(keyword, "s")) {
             done = read_group(obj);
-        } else if (word_is(keyword, "usemtl")) {
+        } else if (word_matches(keyword, "usemtl")) {
             done = obj->reading_ahead ||
                    reader_use_material(&obj->reader, text_rest_of_line(&obj->reader.text));
-        } else if (word_is(keyword, "mtllib")) {
+        } else if (word_matches(keyword, "mtllib")) {
             done = obj->reading_ahead ||
                    reader_add_library(&obj->reader, text_rest_of_line(&obj->reader.text));
         }
