@@ -11,10 +11,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#if defined(_WIN32) || defined(__wasi__) /* capitals count for nothing; or there is no directory */
-#define LISTS_DIRECTORIES 0
-#else
-#define LISTS_DIRECTORIES 1
+#if !defined(_WIN32) && !defined(__wasi__) /* else capitals count for nothing, or there is none */
+#define LISTS_DIRECTORIES
 #include <dirent.h>
 #endif
 
@@ -268,7 +266,7 @@ bool file_exists(const char *path) {
  * file fits, or several do. */
 static bool take_letters(char *path, char *name) {
     size_t fitting = 0;
-#if LISTS_DIRECTORIES
+#ifdef LISTS_DIRECTORIES
     const char first = *name;
     *name = '\0';
     DIR *list = opendir(path[0] == '\0' ? "." : path);

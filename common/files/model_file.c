@@ -104,11 +104,6 @@ bool model_decode(struct model *model, const void *data, size_t size, struct err
     return decode(model, "", data, size, MODEL_ALL_PARTS, error);
 }
 
-static bool keep_path(struct model *model, const char *path, struct error *error) {
-    model->path = string_format("%s", path);
-    return model->path != NULL || error_out_of_memory(error);
-}
-
 /* ---- Materials ---- */
 
 /* Only the first counts. */
@@ -180,7 +175,8 @@ bool model_read_parts(struct model *model, const char *path, unsigned parts, str
     bool done = make_utf8(&bytes) ? decode(model, path, bytes.data, bytes.size, parts, error)
                                   : error_out_of_memory(error);
     bytes_free(&bytes);
-    done = done && keep_path(model, path, error);
+    model->path = done ? string_format("%s", path) : NULL;
+    done = done && (model->path != NULL || error_out_of_memory(error));
     if (done && ((parts & (MODEL_UVS | MODEL_MATERIALS)) == 0 || read_libraries(model, error))) {
         return true;
     }

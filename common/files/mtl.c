@@ -76,12 +76,12 @@ static void read_options(struct text *text, struct model_material *material) {
         if (option.length < 2 || option.start[0] != '-') {
             return;
         }
-        if (word_is(option, "-s")) {
-            read_pair(&ahead, material->scale);
-        } else if (word_is(option, "-o")) {
-            read_pair(&ahead, material->offset);
-        } else if (word_is(option, "-t")) {
-            read_pair(&ahead, ignored);
+        float *pair = word_is(option, "-s")   ? material->scale
+                      : word_is(option, "-o") ? material->offset
+                      : word_is(option, "-t") ? ignored
+                                              : NULL;
+        if (pair != NULL) {
+            read_pair(&ahead, pair);
         } else if (word_is(option, "-bm")) {
             double number;
             text_next_number(&ahead, &number);

@@ -233,12 +233,6 @@ static float level_of(double coordinate) {
     return (float)((coordinate + 1) / 2);
 }
 
-static void fill_with_grey(struct model *model) {
-    for (size_t i = 0; i < model->position_count; i++) {
-        model->colors[i][0] = model->colors[i][1] = model->colors[i][2] = 0.5F;
-    }
-}
-
 static bool has_colorful_material(const struct model *model) {
     for (size_t i = 0; i < model->material_count; i++) {
         const float *color = model->materials[i].color;
@@ -278,7 +272,9 @@ bool model_need_colors(struct model *model, struct error *error) {
     if (model->colors == NULL) {
         return error_out_of_memory(error);
     }
-    fill_with_grey(model);
+    for (size_t i = 0; i < 3 * model->position_count; i++) {
+        model->colors[i / 3][i % 3] = 0.5F; /* grey */
+    }
     for (size_t i = model->face_count; i-- > 0;) { /* downwards: the first face has the last word */
         for (size_t j = 3; j-- > 0;) {
             struct vec3 normal = vec3_normalized(model_normal(model, i, j));

@@ -230,19 +230,6 @@ static bool read_vertex(struct model_reader *reader, const struct off_kind *kind
            (!kind->uv || reader_add_uv(reader, value[count - 2], value[count - 1]));
 }
 
-/* Sets the line of a face where the last of them should be; 0: it is none. */
-static bool read_vertices(struct model_reader *reader, const struct off_kind *kind, size_t total,
-                          size_t *face_line) {
-    *face_line = 0;
-    for (size_t i = 0; i < total; i++) {
-        *face_line = i + 1 == total ? find_face(reader->text, total) : 0;
-        if (!read_vertex(reader, kind, i, total)) {
-            return false;
-        }
-    }
-    return true;
-}
-
 /* ---- Faces ---- */
 
 static bool read_off_corner(struct model_reader *reader, const struct off_kind *kind,
@@ -346,15 +333,17 @@ static bool read_all(struct model_reader *reader, unsigned parts, struct off_gue
     bool done = read_header(reader, guess, &kind, &counts);
     *in_doubt = counts.in_doubt;
     kind.lines = (parts & MODEL_LINES) != 0;
-    size_t face_line;
-    if (!done || !read_vertices(reader, &kind, counts.vertices, &face_line)) {
-        return false;
+    struct text last = {.next = NULL}; /* at the last vertex */
+    for (size_t i = 0; done && i < counts.vertices; i++) {
+        last = i + 1 == counts.vertices ? reader->text : last;
+        done = read_vertex(reader, &kind, i, counts.vertices);
     }
     for (size_t i = 0; done && i < counts.faces; i++) {
         done = read_off_face(reader, &kind, i, counts.faces);
     }
     done = done && read_end(reader, counts.faces);
-    if (!done && face_line > 0 && reader->error->line > 0) {
+    size_t face_line = done || reader->error->line == 0 ? 0 : find_face(last, counts.vertices);
+    if (face_line > 0) {
         return text_error(reader->error, face_line, "a face where vertex %zu of %zu is expected",
                           counts.vertices, counts.vertices);
     }

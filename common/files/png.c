@@ -73,11 +73,6 @@ static void put_u32(uint8_t *bytes, size_t value) {
     bytes[3] = (uint8_t)(value & 255);
 }
 
-static void put_u16(uint8_t *bytes, unsigned value) {
-    bytes[0] = (uint8_t)(value >> 8 & 255);
-    bytes[1] = (uint8_t)(value & 255);
-}
-
 /* ---- Pixels ---- */
 
 /* Red, green, blue of a file become blue, green, red of memory, and the other way round; alpha
@@ -715,8 +710,7 @@ static bool append_frame_control(struct bytes *out, uint32_t sequence, const str
     put_u32(control + 8, part->height);
     put_u32(control + 12, part->x);
     put_u32(control + 16, part->image->height - part->y - part->height);
-    put_u16(control + 20, delay_ms);
-    put_u16(control + 22, 1000);
+    put_u32(control + 20, (size_t)delay_ms << 16 | 1000); /* thousandths of a second */
     return append_chunk(out, "fcTL", control, sizeof control, NULL, 0);
 }
 

@@ -248,12 +248,6 @@ static bool reserve(struct polygon_cutter *c, size_t size) {
            array_extend(&c->dents, &c->dent_capacity, size, sizeof *c->dents);
 }
 
-static void cut_as_fan(struct polygon_cutter *cutter, size_t size) {
-    for (uint32_t i = 2; i < size; i++) {
-        add_triangle(cutter, 0, i - 1, i);
-    }
-}
-
 enum polygon_result polygon_cut(struct polygon_cutter *cutter, const struct vec3 *corners,
                                 size_t size) {
     assert(size >= 3 && size < UINT32_MAX);
@@ -263,7 +257,9 @@ enum polygon_result polygon_cut(struct polygon_cutter *cutter, const struct vec3
     }
     lay_on_plane(cutter->nodes, corners, size);
     if (fan_is_right(cutter->nodes, size)) {
-        cut_as_fan(cutter, size);
+        for (uint32_t i = 2; i < size; i++) {
+            add_triangle(cutter, 0, i - 1, i);
+        }
     } else if (size <= POLYGON_CORNER_LIMIT) {
         cut_ears(cutter, size);
     } else {

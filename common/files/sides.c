@@ -14,10 +14,6 @@ struct side {
     bool falls; /* the face goes from `high` to `low` */
 };
 
-static bool joins_the_same(const struct side *a, const struct side *b) {
-    return a->low == b->low && a->high == b->high;
-}
-
 static int compare_sides(const void *a, const void *b) {
     const struct side *x = a, *y = b;
     return x->low != y->low ? (x->low > y->low) - (x->low < y->low)
@@ -36,7 +32,7 @@ static struct side side_of(const struct model *model, uint32_t face, int i) {
 static void join_neighbours(size_t *lower, size_t faces, const struct side *sides) {
     for (size_t begin = 0, end; begin < 3 * faces; begin = end) {
         const struct side *a = &sides[begin];
-        for (end = begin + 1; end < 3 * faces && joins_the_same(a, &sides[end]); end++) {
+        for (end = begin + 1; end < 3 * faces && compare_sides(a, &sides[end]) == 0; end++) {
         }
         if (end == begin + 2) {
             bool alike = a[0].falls != a[1].falls;

@@ -3,7 +3,7 @@
 
 #include "base/array.h"
 
-#include <string.h>
+#include <math.h>
 
 /* A face's place is a square of cells, whose corners are texels. The face is its lower left half,
  * so that bilinear sampling gives the colours between its corners: exactly, except in the cells on
@@ -17,12 +17,9 @@ struct places {
 };
 
 static struct places lay_out(size_t count) {
-    struct places p = {.cells = MOST_CELLS, .across = 1};
+    struct places p = {.cells = MOST_CELLS, .across = (size_t)ceil(sqrt((double)count))};
     while (p.cells > 1 && (uint64_t)count * (p.cells + 1) * (p.cells + 1) > TEXELS_WANTED) {
         p.cells /= 2;
-    }
-    while (p.across * p.across < count) {
-        p.across++;
     }
     p.side = p.cells + 1;
     p.width = p.across * p.side;
