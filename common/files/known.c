@@ -99,8 +99,7 @@ static void write_message(struct error *error, const char *what, enum kind kind,
 bool known_recognize(const void *data, size_t size, const char *path, bool model_wanted,
                      struct error *error) {
     const uint8_t *start = data;
-    const size_t bom = size >= 3 && memcmp(start, "\xEF\xBB\xBF", 3) == 0 ? 3 : 0;
-    size_t blanks = bom;
+    size_t blanks = size >= 3 && memcmp(start, "\xEF\xBB\xBF", 3) == 0 ? 3 : 0;
     while (blanks < size && strchr(" \t\r\n", start[blanks]) != NULL && start[blanks] != '\0') {
         blanks++;
     }

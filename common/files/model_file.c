@@ -231,12 +231,11 @@ bool model_read_texture(struct texture *texture, const char *path, struct error 
     return image_read(&image, path, error) && make_texture(texture, &image, path, error);
 }
 
-/* What a picture of normals looks like, at some of its pixels. In tangent space nearly all are
- * about (0, 0, 1), while those of an object go all around. All have a length of about 1: what is
- * far from it is a background, and what is so in the mean is something else. Heights are grey. */
-enum normals_look { LOOKS_OBJECT_SPACE, LOOKS_TANGENT_SPACE, LOOKS_GREY, LOOKS_LIKE_NONE };
-
-static enum normals_look look_at_normals(const struct image *image) {
+/* Does a picture look like one of normals, at some of its pixels, and those in tangent space? There
+ * nearly all are about (0, 0, 1), while those of an object go all around. All have a length of about
+ * 1: what is far from it is a background, and what is so in the mean is something else. Heights are
+ * grey. */
+static bool check_normals(const struct image *image, bool *looks_tangent, struct error *error) {
     const int across = (int)image->width / 32 + 1, along = (int)image->height / 32 + 1;
     struct vec3 sum = {0, 0, 0};
     double count = 0, length_sum = 0;
@@ -254,30 +253,25 @@ static enum normals_look look_at_normals(const struct image *image) {
             }
         }
     }
-    bool blue = sum.z > 0.7 * count && fabs(sum.x) < 0.3 * count && fabs(sum.y) < 0.3 * count;
     bool of_length_1 = length_sum >= 0.85 * count && length_sum <= 1.15 * count;
-    return grey           ? LOOKS_GREY
-           : !of_length_1 ? LOOKS_LIKE_NONE
-           : blue         ? LOOKS_TANGENT_SPACE
-                          : LOOKS_OBJECT_SPACE;
+    *looks_tangent = sum.z > 0.7 * count && fabs(sum.x) < 0.3 * count && fabs(sum.y) < 0.3 * count;
+    return (!grey && of_length_1) ||
+           error_set(error, grey ? "grey values: perhaps heights, but not normals"
+                                 : "no normals, whose values would have length 1");
 }
 
 bool model_read_normal_map(struct texture *texture, const char *path, const int turns[3],
                            struct error *error) {
     const char *slash = strrchr(path, '/');
-    bool named = strstr(slash == NULL ? path : slash, "_tangent.") != NULL;
+    bool named = strstr(slash == NULL ? path : slash, "_tangent.") != NULL, looks_tangent;
     struct image image;
     if (!image_read(&image, path, error)) {
         return false;
     }
-    enum normals_look look = look_at_normals(&image);
-    if (look == LOOKS_GREY || look == LOOKS_LIKE_NONE) {
+    if (!check_normals(&image, &looks_tangent, error)) {
         image_free(&image);
-        error_set(error, look == LOOKS_GREY ? "grey values: perhaps heights, but not normals"
-                                            : "no normals, whose values would have length 1");
         return error_name_file(error, path);
     }
-    bool looks_tangent = look == LOOKS_TANGENT_SPACE;
     if (!named && !looks_tangent && (turns[0] != 0 || turns[1] != 0 || turns[2] != 0)) {
         turn_normals(&image, turns);
     }

@@ -178,33 +178,24 @@ bool reader_color_faces(struct model_reader *reader, size_t first, const double 
                       color);
 }
 
-/* Colours of positions are 0..1, but many writers use levels 0..255: one value tells that is
- * further above 1 than rounding could have brought it. */
-static float unit_of_colors(const struct model_reader *reader) {
-    float unit = 1;
-    for (size_t i = 0; i < reader->colors.count; i++) {
-        const float *color = reader->model->colors[i];
-        for (int channel = 0; channel < 3; channel++) {
-            unit = color[channel] > 2 && color[channel] < INFINITY ? 255 : unit;
-        }
-    }
-    return unit;
-}
-
-/* Bring the colours, in parts of `unit`, to 0..1, and add white up to `count` of them. */
+/* Add white up to `count` colours, and bring all to 0..1. They may be levels 0..255, as many writers
+ * have them: one value tells that is further above 1 than rounding could have brought it. */
 static bool finish_colors(struct model_reader *reader, float (**colors)[3],
-                          struct reader_list *list, size_t count, float unit) {
+                          struct reader_list *list, size_t count, bool may_be_levels) {
+    float unit = 1;
     if (*colors == NULL) {
         return true;
     }
     if (!fill(reader, colors, list, count, white, sizeof white)) {
         return false;
     }
-    for (size_t i = 0; i < list->count; i++) {
-        for (int channel = 0; channel < 3; channel++) {
-            float value = (*colors)[i][channel] / unit;
-            (*colors)[i][channel] = value > 0 ? (value < 1 ? value : 1) : 0;
-        }
+    for (size_t i = 0; i < 3 * list->count; i++) {
+        const float value = (*colors)[i / 3][i % 3];
+        unit = may_be_levels && value > 2 && value < INFINITY ? 255 : unit;
+    }
+    for (size_t i = 0; i < 3 * list->count; i++) {
+        const float value = (*colors)[i / 3][i % 3] / unit;
+        (*colors)[i / 3][i % 3] = value > 0 ? (value < 1 ? value : 1) : 0;
     }
     return true;
 }
@@ -301,9 +292,9 @@ bool reader_finish(struct model_reader *reader) {
     mend_positions(reader);
     drop_wrong_normals(reader);
     return fill_faces(reader) &&
-           finish_colors(reader, &model->colors, &reader->colors, model->position_count,
-                         unit_of_colors(reader)) &&
-           finish_colors(reader, &model->face_colors, &reader->face_colors, model->face_count, 1);
+           finish_colors(reader, &model->colors, &reader->colors, model->position_count, true) &&
+           finish_colors(reader, &model->face_colors, &reader->face_colors, model->face_count,
+                         false);
 }
 
 /* ---- Faces ---- */

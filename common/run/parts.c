@@ -27,11 +27,11 @@ static void find_begins(const struct model *model, size_t *begins) {
     }
 }
 
-/* Bring each of the items to its new place. */
+/* Bring each of the items, if there are any, to its new place. */
 static bool reorder(void *items, size_t size, const size_t *to, size_t count) {
-    char *sorted = malloc(count * size + 1);
+    char *sorted = items == NULL ? NULL : malloc(count * size + 1);
     if (sorted == NULL) {
-        return false;
+        return items == NULL;
     }
     for (size_t i = 0; i < count; i++) {
         memcpy(sorted + to[i] * size, (const char *)items + i * size, size);
@@ -54,10 +54,8 @@ static bool sort_faces(struct model *model, const size_t *begins) {
     }
     done = done && reorder(model->faces, sizeof *model->faces, to, count) &&
            reorder(model->face_materials, sizeof *model->face_materials, to, count) &&
-           (model->face_groups == NULL ||
-            reorder(model->face_groups, sizeof *model->face_groups, to, count)) &&
-           (model->face_colors == NULL ||
-            reorder(model->face_colors, sizeof *model->face_colors, to, count));
+           reorder(model->face_groups, sizeof *model->face_groups, to, count) &&
+           reorder(model->face_colors, sizeof *model->face_colors, to, count);
     free(next);
     free(to);
     return done;
