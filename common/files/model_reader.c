@@ -1,8 +1,6 @@
 /* What the readers of OBJ and OFF share; see model_reader.h. */
 #include "files/model_reader.h"
 
-#include "base/array.h"
-
 #include <float.h>
 #include <math.h>
 #include <stdlib.h>
@@ -178,8 +176,8 @@ bool reader_color_faces(struct model_reader *reader, size_t first, const double 
                       color);
 }
 
-/* Add white up to `count` colours, and bring all to 0..1. They may be levels 0..255, as many writers
- * have them: one value tells that is further above 1 than rounding could have brought it. */
+/* Add white up to `count` colours, and bring all to 0..1. Many writers use levels 0..255: one value
+ * tells that is further above 1 than rounding could have brought it. */
 static bool finish_colors(struct model_reader *reader, float (**colors)[3],
                           struct reader_list *list, size_t count, bool may_be_levels) {
     float unit = 1;
@@ -214,11 +212,6 @@ static bool fill_faces(struct model_reader *reader) {
                                         model->face_count, &reader->group, sizeof reader->group));
 }
 
-/* A copy as a string, which the caller frees. */
-static char *copy_word(struct word word) {
-    return string_format("%.*s", (int)word.length, word.length > 0 ? word.start : "");
-}
-
 bool reader_use_material(struct model_reader *reader, struct word name) {
     struct model *model = reader->model;
     size_t i = 0;
@@ -229,7 +222,8 @@ bool reader_use_material(struct model_reader *reader, struct word name) {
         i++;
     }
     if (i == model->material_count && i < MATERIAL_LIMIT) {
-        struct model_material material = {.name = copy_word(name),
+        struct model_material material = {.name =
+                                              string_format("%.*s", (int)name.length, name.start),
                                           .color = {1, 1, 1},
                                           .specular = -1,
                                           .scale = {1, 1},
@@ -257,7 +251,7 @@ bool reader_use_group(struct model_reader *reader, uint32_t group) {
 
 bool reader_add_library(struct model_reader *reader, struct word name) {
     struct model *model = reader->model;
-    char *copy = copy_word(name);
+    char *copy = string_format("%.*s", (int)name.length, name.start);
     if (copy == NULL || !extend(reader, &model->libraries, &reader->library_capacity,
                                 model->library_count + 1, sizeof *model->libraries)) {
         free(copy);
@@ -298,11 +292,6 @@ bool reader_finish(struct model_reader *reader) {
 }
 
 /* ---- Faces ---- */
-
-bool reader_grow_polygon(struct model_reader *reader) {
-    return extend(reader, &reader->polygon, &reader->polygon_capacity, reader->polygon_size + 1,
-                  sizeof *reader->polygon);
-}
 
 /* Put the positions of the polygon's corners together. */
 static bool gather_places(struct model_reader *reader) {

@@ -8,6 +8,7 @@
 #ifndef COMMON_FILES_MODEL_READER_H
 #define COMMON_FILES_MODEL_READER_H
 
+#include "base/array.h"
 #include "base/error.h"
 #include "base/text.h"
 #include "files/model_file.h"
@@ -87,13 +88,11 @@ bool reader_add_normal(struct model_reader *reader, const double normal[3]);
 /* Give the last position a colour, of any values; earlier ones that have none are white. */
 bool reader_color_position(struct model_reader *reader, const double color[3]);
 
-/* Make room for one corner more. */
-bool reader_grow_polygon(struct model_reader *reader);
-
 /* Add a corner to the polygon. */
 static inline bool reader_add_corner(struct model_reader *reader, struct corner corner) {
-    if (reader->polygon_size == reader->polygon_capacity && !reader_grow_polygon(reader)) {
-        return false;
+    if (!array_extend(&reader->polygon, &reader->polygon_capacity, reader->polygon_size + 1,
+                      sizeof *reader->polygon)) {
+        return error_out_of_memory(reader->error);
     }
     reader->polygon[reader->polygon_size++] = corner;
     return true;

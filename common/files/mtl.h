@@ -14,8 +14,8 @@
 
 #include <stddef.h>
 
-/* Give the model's materials what the text at `path` says of them; the last word counts. Textures are
- * looked for next to it. False when memory runs out. */
+/* Give the model's materials what the text at `path` says of them; the last word counts. Textures
+ * are looked for next to it. False when memory runs out. */
 bool mtl_decode(struct model *model, const void *data, size_t size, const char *path,
                 struct error *error);
 

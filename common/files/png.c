@@ -195,15 +195,14 @@ static bool next_chunk(struct png *png, const uint8_t *data, size_t size, size_t
             return error_set(error, "a PNG chunk without a name at byte %zu", *position);
         }
     }
-    if (length > left - CHUNK_OVERHEAD && (png->seen_data || is_type(chunk, "IDAT"))) {
-        chunk->type = is_type(chunk, "IDAT") ? chunk->type : end;
+    if (length > left - CHUNK_OVERHEAD) {
+        bool is_data = is_type(chunk, "IDAT");
+        chunk->type = is_data ? chunk->type : end;
         chunk->size = left - 8;
         *position = size;
-        return true;
-    }
-    if (length > CHUNK_LIMIT || length > left - CHUNK_OVERHEAD) {
-        return error_set(error, "a PNG cut off: chunk %.4s claims %lu bytes, but %zu are left",
-                         (const char *)chunk->type, (unsigned long)length, left - CHUNK_OVERHEAD);
+        return png->seen_data || is_data ||
+               error_set(error, "a PNG cut off: chunk %.4s claims %lu bytes, but %zu are left",
+                         (const char *)start + 4, (unsigned long)length, left - CHUNK_OVERHEAD);
     }
     *position += CHUNK_OVERHEAD + chunk->size;
     if (crc32(chunk->type, 4 + chunk->size) == get_u32(chunk->data + chunk->size) ||
@@ -633,27 +632,17 @@ end:
     return done;
 }
 
-static struct part whole(const struct image *image) {
-    return (struct part){image, 0, 0, image->width, image->height};
-}
-
-static bool append_pixels(struct bytes *out, const struct bytes *compressed) {
-    return append_chunk(out, "IDAT", NULL, 0, compressed->data, compressed->size);
-}
-
-static bool append_end(struct bytes *out) {
-    return append_chunk(out, "IEND", NULL, 0, NULL, 0);
-}
-
 bool png_encode(const struct image *image, struct bytes *out, struct error *error) {
     if (image->pixels == NULL) {
         return error_set(error, "an empty image cannot be written");
     }
     struct bytes pixels = {0};
-    struct part part = whole(image);
+    struct part part = {image, 0, 0, image->width, image->height};
     size_t start = out->size;
     bool done = compress_pixels(&part, &pixels, error) &&
-                ((append_header(out, image) && append_pixels(out, &pixels) && append_end(out)) ||
+                ((append_header(out, image) &&
+                  append_chunk(out, "IDAT", NULL, 0, pixels.data, pixels.size) &&
+                  append_chunk(out, "IEND", NULL, 0, NULL, 0)) ||
                  error_out_of_memory(error));
     bytes_free(&pixels);
     out->size = done ? out->size : start;
@@ -719,16 +708,16 @@ static bool append_frame_control(struct bytes *out, uint32_t sequence, const str
 static bool append_frame_pixels(struct bytes *out, uint32_t sequence, const struct bytes *pixels) {
     uint8_t number[FRAME_NUMBER_SIZE];
     put_u32(number, sequence + 1);
-    return sequence == 0
-               ? append_pixels(out, pixels)
-               : append_chunk(out, "fdAT", number, sizeof number, pixels->data, pixels->size);
+    return append_chunk(out, sequence == 0 ? "IDAT" : "fdAT", number,
+                        sequence == 0 ? 0 : sizeof number, pixels->data, pixels->size);
 }
 
 /* Frame `index` as fcTL and pixels. The chunks before it took the sequence numbers 0, 1, 3, 5... */
 static bool append_frame(const struct image *frames, size_t index, unsigned delay_ms,
                          struct bytes *out, struct error *error) {
     const struct image *frame = &frames[index];
-    struct part part = index == 0 ? whole(frame) : changed_part(&frames[index - 1], frame);
+    struct part part = {frame, 0, 0, frame->width, frame->height};
+    part = index == 0 ? part : changed_part(&frames[index - 1], frame);
     uint32_t sequence = index == 0 ? 0 : (uint32_t)(2 * index - 1);
     struct bytes pixels = {0};
     bool done = compress_pixels(&part, &pixels, error) &&
@@ -739,13 +728,6 @@ static bool append_frame(const struct image *frames, size_t index, unsigned dela
     return done;
 }
 
-/* What comes before the first frame. */
-static bool append_animation_head(struct bytes *out, const struct image *frame, size_t count) {
-    uint8_t control[8] = {0}; /* number of frames; 0 plays: forever */
-    put_u32(control, count);
-    return append_header(out, frame) && append_chunk(out, "acTL", control, sizeof control, NULL, 0);
-}
-
 bool apng_encode(const struct image *frames, size_t count, unsigned delay_ms, struct bytes *out,
                  struct error *error) {
     assert(count >= 1 && count < 1 << 30 && delay_ms >= 1 && delay_ms <= 65535);
@@ -754,11 +736,14 @@ bool apng_encode(const struct image *frames, size_t count, unsigned delay_ms, st
                frames[i].height == frames[0].height && frames[i].format == frames[0].format);
     }
     size_t start = out->size;
-    bool done = append_animation_head(out, &frames[0], count) || error_out_of_memory(error);
+    uint8_t control[8] = {0}; /* number of frames; 0 plays: forever */
+    put_u32(control, count);
+    bool done = (append_header(out, frames) && append_chunk(out, "acTL", control, 8, NULL, 0)) ||
+                error_out_of_memory(error);
     for (size_t i = 0; done && i < count; i++) {
         done = append_frame(frames, i, delay_ms, out, error);
     }
-    done = done && (append_end(out) || error_out_of_memory(error));
+    done = done && (append_chunk(out, "IEND", NULL, 0, NULL, 0) || error_out_of_memory(error));
     out->size = done ? out->size : start;
     return done;
 }

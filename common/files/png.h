@@ -22,8 +22,8 @@ bool png_has_signature(const void *data, size_t size);
  * is black. An animation gives its first frame. What no pixel needs may be wrong or missing: tRNS
  * and palettes, compressed data behind the last pixel, the end. Every length and Huffman code is
  * checked, and the checksum of every chunk that a picture needs; memory stays within what the
- * file's size can decode to (and image_check_size()). `image` is overwritten, not freed; empty on an
- * error. */
+ * file's size can decode to (and
+ * image_check_size()). `image` is overwritten, not freed; empty on an error. */
 bool png_decode(struct image *image, const void *data, size_t size, struct error *error);
 
 /* Write grey, RGB or RGBA, 8 bits a channel, with a row filter chosen for each row (none for
