@@ -231,9 +231,9 @@ bool model_read_texture(struct texture *texture, const char *path, struct error 
     return image_read(&image, path, error) && make_texture(texture, &image, path, error);
 }
 
-/* Does a picture look like one of normals, at some of its pixels? All have a length of about 1: what
- * is far from it is a background, and what is so in the mean is something else; heights are grey. In
- * tangent space nearly all are about (0, 0, 1), while those of an object go all around. */
+/* Does a picture look like one of normals, at some of its pixels? All have a length of about 1:
+ * what is far from it is a background, and what is so in the mean is something else; heights are
+ * grey. In tangent space nearly all are about (0, 0, 1), while those of an object go all around. */
 static bool check_normals(const struct image *image, bool *looks_tangent, struct error *error) {
     const int across = (int)image->width / 32 + 1, along = (int)image->height / 32 + 1;
     struct vec3 sum = {0, 0, 0};

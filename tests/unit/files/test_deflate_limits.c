@@ -448,7 +448,8 @@ static bool has_checksum_of(const struct bytes *packed, const uint8_t *plain, si
 }
 
 /* Every stream gives back its data, behind what was there before; a short one that is cut off
- * before the end of its block gives an error. Sizes of more tokens than one block has, and of more than one window. */
+ * before the end of its block gives an error. Sizes of more tokens than one block has, and of more
+ * than one window. */
 static void test_compress(void) {
     static const size_t sizes[] = {0,   1,   2,   3,    4,     5,      100,
                                    257, 258, 259, 2900, 32768, 140000, 300000};

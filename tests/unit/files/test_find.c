@@ -18,6 +18,7 @@ static void test_find_named(void) {
         {"pic.png -clamp on", "pic.png", true, true},
         {"C:\\my maps\\Pic.png", "pic.png", true, true},
         {"none/PIC.png", "pic.png", true, true},
+        {"none/a.mtl # by hand", "a.mtl", false, true},
         /* What is not read, and what it was converted to. */
         {"pic.jpg", "pic.png", true, true},
         {"both.jpg", "both.png", true, true},
@@ -46,9 +47,9 @@ static void test_find_named(void) {
         {"two", "two", false, false},
         {"none.png # x", "none.png", true, false},
     };
-    static const char *const files[] = {"pic.png",   "both.png",     "both.tga", "old.TGA",
-                                        "photo.jpg", "twin.png",     "TWIN.png", "no_ending.png",
-                                        "a.mtl",     "two words.mtl"};
+    static const char *const files[] = {"pic.png",       "both.jpg",  "both.png",     "both.tga",
+                                        "old.TGA",       "photo.jpg", "twin.png",     "TWIN.png",
+                                        "no_ending.png", "a.mtl",     "two words.mtl"};
     struct place place = place_create();
     char directory[60], long_name[9000];
     CHECK(mkdir(name_file(&place, "Maps"), 0777) == 0 &&
@@ -77,7 +78,7 @@ static void test_find_named(void) {
     CHECK(path != NULL && !found && strlen(path) > sizeof long_name);
     free(path);
     CHECK(unlink(name_file(&place, "Maps/sand.png")) == 0 && rmdir(name_file(&place, "Maps")) == 0);
-    place_remove(&place, "pic.png,both.png,both.tga,old.TGA,photo.jpg,twin.png,TWIN.png,"
+    place_remove(&place, "pic.png,both.jpg,both.png,both.tga,old.TGA,photo.jpg,twin.png,TWIN.png,"
                          "no_ending.png,a.mtl,two words.mtl");
 }
 

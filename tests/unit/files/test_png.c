@@ -384,6 +384,7 @@ static void test_useless_alpha(void) {
         {"useful, of a palette", "H13P6T2D1E", IMAGE_BGRA, {1, 3, 0, 0, 0}},
         {"of grey and alpha", "H13T2D2E", IMAGE_BGRA, {8, 4, 0, 0, 0}},
         {"of RGBA", "H13T6D4E", IMAGE_BGRA, {8, 6, 0, 0, 0}},
+        {"of RGBA, with its alpha", "H13T8D4E", IMAGE_BGRA, {8, 6, 0, 0, 0}},
         {"after the pixels", "H13D3T6E", IMAGE_BGR, {8, 2, 0, 0, 0}},
         {"of a palette, empty", "H13P3T0D1E", IMAGE_BGR, {8, 3, 0, 0, 0}},
         {"of RGB, too short", "H13T5D3E", IMAGE_BGR, {8, 2, 0, 0, 0}},
