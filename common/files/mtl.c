@@ -69,7 +69,7 @@ static void read_pair(struct text *text, float pair[2]) {
 /* The options before a texture's name, each of them with what follows it. `material` gets those
  * that count. */
 static void read_options(struct text *text, struct model_material *material) {
-    float ignored[2];
+    float ignored[2] = {0};
     for (;;) {
         struct text ahead = *text;
         struct word option = text_next_word(&ahead);
