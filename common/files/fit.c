@@ -10,22 +10,23 @@ static const double reach_in_parallel_view = 0.95;
  * r / sqrt(1 - (r / d)^2): 0.97 for 7/8 at the distance 2. */
 static const double reach_all_around = 0.875;
 
-static struct box3 box_with(struct box3 box, struct vec3 p) {
-    struct vec3 a = box.least, b = box.greatest;
-    return (struct box3){{fmin(a.x, p.x), fmin(a.y, p.y), fmin(a.z, p.z)},
-                         {fmax(b.x, p.x), fmax(b.y, p.y), fmax(b.z, p.z)}};
+/* Position `i` of those that faces name, three for each, and then lines; NULL behind the last. */
+static const struct vec3 *named_position(const struct model *model, size_t i) {
+    const size_t corners = 3 * model->face_count;
+    const size_t end = i < corners ? 0 : i - corners;
+    return i < corners ? &model->positions[model->faces[i / 3].corner[i % 3].position]
+           : end < 2 * model->line_count ? &model->positions[model->lines[end / 2][end % 2]]
+                                         : NULL;
 }
 
 struct box3 model_box(const struct model *model) {
     const double far = INFINITY;
     struct box3 box = {{far, far, far}, {-far, -far, -far}};
-    for (size_t i = 0; i < model->face_count; i++) {
-        for (size_t j = 0; j < 3; j++) {
-            box = box_with(box, model_position(model, i, j));
-        }
-    }
-    for (size_t i = 0; i < 2 * model->line_count; i++) {
-        box = box_with(box, model->positions[model->lines[i / 2][i % 2]]);
+    const struct vec3 *p;
+    for (size_t i = 0; (p = named_position(model, i)) != NULL; i++) {
+        struct vec3 a = box.least, b = box.greatest;
+        box = (struct box3){{fmin(a.x, p->x), fmin(a.y, p->y), fmin(a.z, p->z)},
+                            {fmax(b.x, p->x), fmax(b.y, p->y), fmax(b.z, p->z)}};
     }
     return box;
 }
@@ -73,13 +74,9 @@ void model_turn(struct model *model, const int turns[3]) {
 
 static double distance_from_origin(const struct model *model) {
     double farthest = 0;
-    for (size_t i = 0; i < model->face_count; i++) {
-        for (size_t j = 0; j < 3; j++) {
-            farthest = fmax(farthest, vec3_length(model_position(model, i, j)));
-        }
-    }
-    for (size_t i = 0; i < 2 * model->line_count; i++) {
-        farthest = fmax(farthest, vec3_length(model->positions[model->lines[i / 2][i % 2]]));
+    const struct vec3 *p;
+    for (size_t i = 0; (p = named_position(model, i)) != NULL; i++) {
+        farthest = fmax(farthest, vec3_length(*p));
     }
     return farthest;
 }

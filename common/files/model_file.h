@@ -6,7 +6,7 @@
  * may name what comes further down; a negative index counts back from the face. A corner may name
  * no texture coordinate and no normal, and what the file does not have counts as none. OFF, COFF,
  * NOFF, STOFF, 4OFF and their mixtures, as text; lines may end between any two numbers, but a face
- * ends with its line, so that two need two lines (off.h). Its colour is in levels 0..255 where its
+ * ends with its line, so that two need two lines (off.c). Its colour is in levels 0..255 where its
  * 3 or 4 numbers are whole, otherwise 0..1; one number alone, an index into a table of colours, is
  * not used. Colours of positions are levels where one is above 2. All are cut to 0..1; where some
  * positions or faces have colours, the others are white. UTF-16 is read as UTF-8. Of files of

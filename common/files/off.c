@@ -1,8 +1,9 @@
 /*
  * OFF files; see off.h. A line may end between any two words of them. It counts in four places: the
- * colour of a face ends with its line; where a line has one number more than a vertex with a
- * colour, that is alpha; the number of edges may be missing where those before it end their line;
- * and only where each vertex has a line may it have a colour of which the first word says nothing.
+ * colour of a face ends with its line, so that two faces need two lines; where a line has one
+ * number more than a vertex with a colour, that is alpha; the number of edges may be in the line of
+ * the numbers before it, in the next one or nowhere; and only where each vertex has a line may it
+ * have a colour of which the first word says nothing.
  */
 #include "files/off.h"
 

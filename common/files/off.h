@@ -1,12 +1,7 @@
 /*
  * OFF files, for model_file.c ("OFF Files" in the Geomview manual, Geometry Center, University of
- * Minnesota). What is read of them: see model_file.h.
- *
- * The number of edges may be in the line of the numbers before it, in the next line, or
- * nowhere; colours may follow positions even if the first word does not say so: where it is in
- * doubt, the file is read in the way in which all of it fits. A face ends with its line, since
- * numbers behind its corners are a colour: so of a file that is all one line, only one face can be
- * read, and more are refused.
+ * Minnesota). What is read of them: see model_file.h. What a file may leave open: see off.c; where
+ * it is in doubt, the file is read in the way in which all of it fits.
  */
 #ifndef COMMON_FILES_OFF_H
 #define COMMON_FILES_OFF_H
