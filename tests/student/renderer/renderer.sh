@@ -50,7 +50,7 @@ cd "$(dirname "$program")" && "$program" "$build/models/bust.obj" --frames 1 && 
 # The programs take turns, because the machine may be busy with something else for a while.
 $cc -O3 -o "$work/renderer3" "$work/renderer.c" -lm && cd "$work" || exit 1
 echo "Milliseconds a frame at 800x800, the least of 40 frames:"
-for round in 1 2 3 4 5 6 7 8 9 10; do
+for _ in 1 2 3 4 5 6 7 8 9 10; do
     "$program" "$build/models/bust.obj" --frames 4 | sed 's/.* \(.*\) ms/renderer.c, -O2:\1/'
     ./renderer3 "$build/models/bust.obj" --frames 4 | sed 's/.* \(.*\) ms/renderer.c, -O3:\1/'
     for frame in 1 2 3 4 5; do echo "--only turn --frame $frame"; done | THREADS=1 "$build/step10_phong" --live |
