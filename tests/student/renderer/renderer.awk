@@ -220,6 +220,12 @@ function resolve(from, name,    item) {
     return item
 }
 
+# Has the code a variable or a parameter of that name?
+function declares(code, name) {
+    gsub(/return /, "", code)
+    return code ~ ("[A-Za-z_0-9] +[*]*" name " *[=;,)[]")
+}
+
 function need(item,    code, name, before, after, found, tag, i) {
     if (item in needed) return
     needed[item] = 1
@@ -245,7 +251,8 @@ function need(item,    code, name, before, after, found, tag, i) {
         found = name == "LANES_INLINE" ? 0 : resolve(file_of[item], tag name) # put_item() has its own word
         # A function is called, or handed over: a variable of its name is neither.
         if (found && found != item &&
-            (tag != "" || !(found in is_function) || after ~ /^\(/ || (before ~ /[=,(?:&{)]$/ && after ~ /^[,);}:]/)))
+            (tag != "" || !(found in is_function) || after ~ /^\(/ ||
+             (before ~ /[=,(?:&{)]$/ && after ~ /^[,);}:]/ && !declares(code_of_item[item], name))))
             { needs[item, ++need_count[item]] = found; need(found) }
         tag = before = ""
     }

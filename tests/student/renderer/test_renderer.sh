@@ -92,9 +92,10 @@ done
 renderer 0
 cp "$work/out.c" "$work/before.c"
 sed -i.old 's|^static double face_intensity(|/* Hers. */\nstatic double helper(double a) { const char *c = "{("; return c[0] == 0x7b ? a : 0; }\n\n&|; s|return vec3_dot(normal, to_light);|return helper(vec3_dot(normal, to_light));|' step04_flat/main.c
-sed -i.old 's|^static double corner_intensity(|static double helper(double a) { return a > 0 ? a : 0; }\n\n&|; s|return cosine > 0 ? cosine : 0;|return helper(cosine);|' step07_gouraud/main.c
+sed -i.old 's|^static double corner_intensity(|static double helper(double a) { return a > 0 ? a : 0; }\n\nstatic double cosine(void) { return 0; }\n\n&|; s|return cosine > 0 ? cosine : 0;|return helper(cosine);|' step07_gouraud/main.c
 renderer 0
 grep -q 'helper_7(cosine)' "$work/out.c" || wrong "two helpers of one name"
+! grep -q 'cosine(void)' "$work/out.c" || wrong "a function comes along for a variable of its name"
 grep -q 'return helper(vec3_dot' "$work/out.c" || wrong "the first helper has lost its name"
 
 # What is to do is said, or is ours where we have it.
