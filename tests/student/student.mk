@@ -9,7 +9,8 @@
 ##   make new NAME=mine          a program of your own, mine/main.c, which draws with the pipeline; or
 ##                               with what you wrote in lesson 3 (AFTER=3)
 ##   make mine                   build it, draw into build/out/mine and show that (MODEL=a.obj, or several)
-##   make renderer               what you wrote in ten lessons becomes one C file (OUT=renderer.c)
+##   make renderer               what you wrote in ten lessons becomes one C file (OUT=renderer.c; SPEED=1:
+##                               and how long a frame takes)
 ##   make MINE=1                 lessons draw with what you wrote in earlier ones (STEP=05; also with
 ##                               check, live, show, open, watch)
 .PHONY: start solution hint show open live watch new renderer
@@ -60,8 +61,8 @@ $(BUILD)/show $(BUILD)/compare_page: $(BUILD)/%: $(BUILD)/tests/student/%.o \
 
 # ---- A renderer of one's own ----
 
-renderer: $(BUILD)/models/bust.obj
-	@sh tests/student/renderer/renderer.sh '$(BUILD)' '$(OUT)' '$(CC)'
+renderer: $(BUILD)/models/bust.obj $(if $(SPEED),$(BUILD)/step10_phong)
+	@sh tests/student/renderer/renderer.sh '$(BUILD)' '$(OUT)' '$(CC)' '$(SPEED)'
 
 # ---- A program of one's own: a directory with a file .new ----
 

@@ -2,16 +2,16 @@
 #
 #     awk -v names=FILE -v root=PREFIX -f renderer.awk given.c stepNN_name/main.c ... common/FILE ...
 #
-# given.c is the frame: its comments `@lesson step03_triangle edges_setup ...: its triangles` say where
-# the functions of a lesson go, with everything of that main.c that they need, and `@common` where what
-# is needed of common goes. Each file is taken apart into items: functions, structs, enums, constants,
+# given.c is the frame: its comments `@lesson step03_triangle triangle_setup ...: its triangles` say where
+# the functions of a lesson go, with everything of that main.c that they need, and `@common geometry
+# ...:` where what is needed of those files goes. Of the frame, too, comes what main() needs. Each file is taken apart into items: functions, structs, enums, constants,
 # each with the comment above it. FILE says by which name later lessons know what a lesson wrote:
 #
 #     step03_triangle triangle_setup edges_setup
 #
 # What a main.c needs is looked for in itself, then in given.c, then among those names, then in common.
-# A name that stands twice gets the lesson's number behind it. What is still to do comes from common,
-# where it has it under its later name.
+# All call hers as she named it. A name that stands twice gets the lesson's number behind it. What is
+# still to do comes from common, where it has it under its later name.
 #
 # Exit status 1: something is to do, or cannot be found or read; standard error says what, and nothing is
 # printed.
@@ -145,6 +145,7 @@ function end_item(    item, code) {
     sub(/ $/, "", code)
     item = ++item_count
     text_of[item] = lead item_text
+    if (count(item_text, "\n") == 1) is_short[item] = 1
     code_of_item[item] = code
     file_of[item] = file
     line_of[item] = item_line
@@ -207,6 +208,7 @@ function is_word(c) { return c ~ /[A-Za-z_0-9]/ }
 # The item that a name means in a file; 0 for what is of the C library, a field or a parameter.
 function resolve(from, name,    item) {
     item = 0
+    if (name ~ / / && (frame, substr(name, index(name, " ") + 1)) in own) sub(/.* /, "", name) # a macro
     if ((from, name) in own) item = own[from, name]
     else if (from == frame && name in taken) return taken[name]
     else if ((frame, name) in own) return own[frame, name]
@@ -216,6 +218,12 @@ function resolve(from, name,    item) {
         if (item == 0 && name in common) item = common[name]
     }
     return item
+}
+
+# Has the code a variable or a parameter of that name?
+function declares(code, name) {
+    gsub(/return /, "", code)
+    return code ~ ("[A-Za-z_0-9] +[*]*" name " *[=;,)[]")
 }
 
 function need(item,    code, name, before, after, found, tag, i) {
@@ -243,7 +251,8 @@ function need(item,    code, name, before, after, found, tag, i) {
         found = name == "LANES_INLINE" ? 0 : resolve(file_of[item], tag name) # put_item() has its own word
         # A function is called, or handed over: a variable of its name is neither.
         if (found && found != item &&
-            (tag != "" || !(found in is_function) || after ~ /^\(/ || (before ~ /[=,(?:&{)]$/ && after ~ /^[,);}:]/)))
+            (tag != "" || !(found in is_function) || after ~ /^\(/ ||
+             (before ~ /[=,(?:&{)]$/ && after ~ /^[,);}:]/ && !declares(code_of_item[item], name))))
             { needs[item, ++need_count[item]] = found; need(found) }
         tag = before = ""
     }
@@ -258,7 +267,6 @@ function settle_names(item, number,    n, words, i, name, text) {
         name = words[i]
         if (name == "struct" || name == "union" || name == "enum") name = name " " words[++i]
         text = name
-        if ((item, name) in later_name) text = later_name[item, name]
         if (text in written && written[text] != item && number != "") text = text "_" number
         written[text] = item
         new_name[file_of[item], name] = text
@@ -296,6 +304,30 @@ function put(text,    lines) {
     body = body text
 }
 
+# Lines that go on behind an open bracket begin below it again, where names before it became longer.
+function realigned(old, new,    olds, news, n, i, k, c, at, depth, shift, move, line, out) {
+    n = split(old, olds, "\n")
+    split(new, news, "\n")
+    depth = 0
+    for (i = 1; i < n; i++) {
+        line = news[i]
+        move = depth && line !~ /^ ?[\/*]/ ? shift[depth] : 0
+        for (; move > 0; move--) line = " " line
+        for (; move < 0 && line ~ /^ /; move++) line = substr(line, 2)
+        out = out line "\n"
+        at = 0
+        for (k = 1; k <= length(olds[i]); k++) {
+            c = substr(olds[i], k, 1)
+            if (c ~ /[({]/) {
+                at += index(substr(line, at + 1), c)
+                shift[++depth] = k < length(olds[i]) ? at - k : 0
+            } else if (c ~ /[)}]/ && depth > 0) depth--
+        }
+    }
+    return out
+}
+
+# With a line between items, but not between those of a single line.
 function put_item(item,    text) {
     text = renamed(item)
     if (file_of[item] ~ /^common/) { # all is in one file
@@ -304,7 +336,8 @@ function put_item(item,    text) {
         if (item in is_function && text !~ /(^|\n)static /)
             text = text ~ /^\/\*/ ? gensub_static(text) : "static " text
     }
-    put(text "\n")
+    put((was_short && text !~ /\n./ ? "" : "\n") realigned(text_of[item], text))
+    was_short = item in is_short
 }
 
 # `static` before the first line behind the comment.
@@ -328,7 +361,8 @@ function put_in_order(item,    i) {
 
 function put_title(title) {
     contents = contents sprintf(" *    %2d  %s\n", ++sections, title)
-    put(sprintf("/* ==== %d. %s ==== */\n\n", sections, title))
+    put(sprintf("\n/* ==== %d. %s ==== */\n", sections, title))
+    was_short = 0
 }
 
 # "/* @lesson step03_triangle edges_setup edges_span: triangles */"
@@ -336,13 +370,12 @@ function put_directive(line,    words, title, lesson, i) {
     title = line
     sub(/^[^:]*: */, "", title)
     sub(/ *\*\/.*/, "", title)
-    if (line ~ /@common/) {
-        put_title(title)
-        for (i = 1; i <= common_count; i++) put_items(common_file[i])
-        return
-    }
-    if (line ~ /@frame/) {
-        put_title(title)
+    if (line !~ /@lesson/) {
+        if (title != "") put_title(title)
+        gsub(/.*@[a-z]+ *|:.*/, "", line)
+        gsub(/ /, "|", line)
+        for (i = 1; i <= common_count && line != ""; i++)
+            if (common_file[i] ~ ("/(" line ")[.][ch]$")) put_items(common_file[i])
         return
     }
     split(line, words, /[ \t:]+/)
@@ -382,6 +415,7 @@ function take(line,    n, words, i, lesson, name, item) {
 }
 
 BEGIN {
+    item_count = 0
     frame = ARGV[1]
     for (i = 1; i < ARGC; i++) {
         file = ARGV[i]
@@ -407,21 +441,21 @@ BEGIN {
             item = own[lesson_file[words[1]], words[2]]
             hers[words[3]] = item
             house_of[item] = words[3]
-            later_name[item, words[2]] = words[3]
+            her_name[item] = words[2]
         }
     }
     # Given functions that are hers do not come from common, unless hers are to do.
     for (i = 0; i <= item_count; i++)
         for (k = 1; k <= directives[i]; k++) if (directive[i, k] ~ /@lesson/) take(directive[i, k])
     if (failed) exit 1
-    for (item = first_of[frame]; item <= last_of[frame]; item++) need(item)
+    need(own[frame, "main"])
     for (name in taken) need(taken[name])
     for (item = 1; item <= item_count; item++)
         if (item in needed && item in to_do)
             complain(place_of(item) ": task " to_do[item] " is to do")
     if (failed) exit 1
     # Names of the frame first, then of common, then of the lessons in their order.
-    for (item = first_of[frame]; item <= last_of[frame]; item++) settle_names(item, "")
+    for (item = first_of[frame]; item <= last_of[frame]; item++) if (item in needed) settle_names(item, "")
     for (i = 1; i <= common_count; i++)
         for (item = first_of[common_file[i]]; item <= last_of[common_file[i]]; item++)
             if (item in needed) settle_names(item, "")
@@ -429,22 +463,15 @@ BEGIN {
         if (match(ARGV[i], /step[0-9]+_[a-z0-9_]+\/main\.c$/))
             for (item = first_of[ARGV[i]]; item <= last_of[ARGV[i]]; item++)
                 if (item in needed) settle_names(item, number_of(substr(ARGV[i], RSTART)))
-    # The frame's own names of what it takes.
-    for (name in taken) {
-        item = taken[name]
-        n = split(item_names[item], words, " ")
-        for (k = 1; k <= n; k++) {
-            if (words[k] ~ /^(struct|union|enum)$/) { words[k + 1] = words[k] " " words[k + 1]; continue }
-            if (words[k] == name || ((item, words[k]) in later_name && later_name[item, words[k]] == name))
-                new_name[frame, name] = new_name[file_of[item], words[k]]
-        }
-    }
-    for (name in hers) for (i = 2; i < ARGC; i++) {
+    # What is hers under the house's name is called by her own.
+    for (name in hers) for (i = 1; i < ARGC; i++) {
         item = hers[name]
-        if (item in needed) new_name[ARGV[i], name] = name
+        if (item in needed && (!((ARGV[i], name) in own) || ARGV[i] ~ /^common/))
+            new_name[ARGV[i], name] = new_name[file_of[item], her_name[item]]
     }
+    for (name in taken) if (!(taken[name] in house_of)) new_name[frame, name] = new_name[file_of[taken[name]], name]
     for (item = first_of[frame] - 1; item <= last_of[frame]; item++) {
-        if (item >= first_of[frame]) put_item(item)
+        if (item in needed) put_item(item)
         for (k = 1; k <= directives[item]; k++) put_directive(directive[item, k])
     }
     if (ours) print "ours: " ours | "cat >&2"
@@ -452,5 +479,5 @@ BEGIN {
     printf " *     cc -O2 -o renderer renderer.c -lm\n"
     printf " *     ./renderer head.obj                                 turns it under a light\n"
     printf " *     ./renderer head.obj --look toon --eye 1,0.5,3 --frames 1\n *\n%s *\n", contents
-    printf " * Of its %d lines you wrote %d.\n */\n%s\n%s", total + count(contents, "\n") + count(includes, "\n") + 12, her_lines, includes, body
+    printf " * Of its %d lines you wrote %d.\n */\n%s%s", total + count(contents, "\n") + count(includes, "\n") + 10, her_lines, includes, body
 }

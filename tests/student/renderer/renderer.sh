@@ -1,7 +1,8 @@
 #!/bin/sh
 # Writes what a student wrote in ten lessons as one C file, builds it, and lets it draw the head:
 #
-#     renderer.sh BUILD OUT CC        OUT is the file, BUILD/renderer/renderer.c where it is empty
+#     renderer.sh BUILD OUT CC [SPEED]    OUT is the file, BUILD/renderer/renderer.c where it is empty;
+#                                         with SPEED also how long a frame takes, next to lesson 10's
 #
 # BUILD has the models. The text is put together by renderer.awk, which explains how.
 #
@@ -12,6 +13,7 @@ target=renderer
 build=$1
 out=${2:-$build/renderer/renderer.c}
 cc=$3
+speed=$4
 wanted=
 . tests/student/lesson.sh
 
@@ -42,4 +44,17 @@ echo "    cc -O2 -o renderer $out -lm"
 echo "    ./renderer $build/models/bust.obj --look phong"
 case $program in /*) ;; *) program=$PWD/$program ;; esac
 case $build in /*) ;; *) build=$PWD/$build ;; esac
-cd "$(dirname "$program")" && "$program" "$build/models/bust.obj" --frames 1 && echo "The first picture: $PWD/turn_000.tga"
+cd "$(dirname "$program")" && "$program" "$build/models/bust.obj" --frames 1 && echo "The first picture: $PWD/turn_000.tga" || exit 1
+[ -n "$speed" ] || exit 0
+
+# The programs take turns, because the machine may be busy with something else for a while.
+$cc -O3 -o "$work/renderer3" "$work/renderer.c" -lm && cd "$work" || exit 1
+echo "Milliseconds a frame at 800x800, the least of 40 frames:"
+for _ in 1 2 3 4 5 6 7 8 9 10; do
+    "$program" "$build/models/bust.obj" --frames 4 | sed 's/.* \(.*\) ms/renderer.c, -O2:\1/'
+    ./renderer3 "$build/models/bust.obj" --frames 4 | sed 's/.* \(.*\) ms/renderer.c, -O3:\1/'
+    for frame in 1 2 3 4 5; do echo "--only turn --frame $frame"; done | THREADS=1 "$build/step10_phong" --live |
+        grep -ao 'frame 800 800 [0-9.]*' | sed '1d; s/.* /lesson 10, by the pipeline:/' # the first reads the textures
+done | awk -F : '!($1 in least) { name[++n] = $1; least[$1] = $2 }
+    $2 + 0 < least[$1] + 0 { least[$1] = $2 }
+    END { for (i = 1; i <= n; i++) printf "    %-28s %5.1f\n", name[i], least[name[i]] }'
