@@ -307,7 +307,7 @@ static void answer(struct live *live, struct http_request *request) {
         {"figures.js", "tests/student/live/figures.js", "text/javascript"},
         {"figure.css", "tests/student/live/figure.css", "text/css"},
         {"figure.js", "tests/student/live/figure.js", "text/javascript"},
-        {"markdown.js", "tests/student/live/markdown.js", "text/javascript"},
+        {"text.js", "tests/student/live/text.js", "text/javascript"},
         {"text.css", "tests/student/live/text.css", "text/css"},
         {"page.css", "tests/student/live/page.css", "text/css"},
         {"page.js", "tests/student/live/page.js", "text/javascript"},

@@ -166,7 +166,7 @@ sed -e "/^Then read/s|.*|Then read [lesson $first]($first_lesson/README.md).|" \
         some { sub(/The whole course takes about [0-9]+/, (several ? "The lessons take" : "The lesson takes") \
                    " about " int(hours + 0.99)) }
         last < 10 { sub(/with the last picture of the course/, "with its last picture") }
-        last < 10 && /^<img src="step10_phong/ { print "<img src=\"" last_picture "\" width=\"240\" alt=\"\">"; next }
+        last < 10 && /^<img src="step10_phong/ { print "<img src=\"" last_picture "\" width=\"240\" alt=\"\">"; blank = 0; next }
         # A row of the map has several lines.
         /^<tr>/ { row = ""; in_row = 1 }
         in_row {

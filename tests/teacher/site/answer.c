@@ -29,8 +29,8 @@ enum { BUST, KNOT, FIRST_TEXTURE, FILE_COUNT = FIRST_TEXTURE + 3 };
 static const char *const names[FILE_COUNT] = {"bust.obj", "knot.off", "bust_diffuse.png",
                                               "bust_nm.png", "bust_spec.png"};
 
-/* How many bytes the texture has, and a copy of them. Where the page has not loaded it yet, the
- * first call leaves all functions that run, by an exception of JavaScript; the page loads it,
+/* How many bytes the texture has, 0 where the page has not loaded it yet, and a copy of them. Whoever
+ * misses a texture goes on without it. The page throws that answer away, loads what was missing,
  * begins the program again from the start, and asks again. */
 unsigned texture_size(int texture);
 void texture_copy(int texture, unsigned char *to);
@@ -62,8 +62,8 @@ bool __wrap_file_read(const char *path, struct bytes *bytes, struct error *error
         return error_set(error, "%s: a web page has no such file", path);
     }
     unsigned size = texture_size(i - FIRST_TEXTURE);
-    if (!bytes_reserve(bytes, size)) {
-        return error_out_of_memory(error);
+    if (size == 0 || !bytes_reserve(bytes, size)) {
+        return error_set(error, "%s: is not there yet", path);
     }
     texture_copy(i - FIRST_TEXTURE, bytes->data);
     bytes->size = size;

@@ -154,7 +154,11 @@ function touches_code(line,    i, count, word, tag) {
 /<img/ { $0 = picture($0) }
 /href=/ { $0 = link($0) }
 /<pre>/ { sub(/<pre>/, "<pre tabindex=0>") } # which may be wider than the page
-/^<th/ && /><\/th>$/ { gsub(/th/, "td") } # an empty one heads nothing
+/^<th[^>]*><\/th>$/ { gsub(/th/, "td") } # an empty one heads nothing
+/^<tr>/ { column = 0 }
+/^<th/ { head[++column] = plain($0) }
+/^<td/ && /<figure/ { sub(/<td/, "<td data-label=\"" head[++column] "\"") }
+/^<td/ && !/<figure/ { column++ }
 /^<table>/ { $0 = "<div class=wide tabindex=0>" $0 }
 { body = body $0 "\n" }
 /<\/table>/ { body = body "</div>\n" }

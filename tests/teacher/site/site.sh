@@ -126,7 +126,7 @@ done
 # ---- The live page of each lesson ----
 
 for file in tests/student/live/*.css tests/student/live/*.js tests/teacher/site/*.css tests/teacher/site/*.js; do
-    case $file in */server.js | */markdown.js | */figures.*) ;; *) put "$file" "live/${file##*/}" ;; esac # of make live
+    case $file in */server.js | */text.js | */figures.*) ;; *) put "$file" "live/${file##*/}" ;; esac # of make live
 done
 policy="default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self'; worker-src blob:; img-src data:"
 for lesson in $lessons; do

@@ -5,7 +5,7 @@
 // Runs in the worker, without the rest of this file.
 function runInWorker() {
     const unsupported = 8; // what all else of WASI says: no such file
-    const textures = []; // those that the page has loaded
+    const textures = [], missing = new Set(); // those that the page has loaded, and those that it should
     let module, exports, input, output;
     const numbers = () => new DataView(exports.memory.buffer);
     const pieces = (vectors, count) => Array.from({length: count}, (_, i) =>
@@ -42,14 +42,20 @@ function runInWorker() {
             wait_for_calls() { throw "waiting"; },
             texture_size(number) {
                 if (textures[number] === undefined) {
-                    throw {missing: number};
+                    missing.add(number);
                 }
-                return textures[number].length;
+                return textures[number]?.length ?? 0;
             },
             texture_copy(number, to) { new Uint8Array(exports.memory.buffer).set(textures[number], to); },
         },
     };
-    const fromText = text => Uint8Array.from(atob(text), letter => letter.charCodeAt(0));
+    function fromText(base64) {
+        const letters = atob(base64), bytes = new Uint8Array(letters.length);
+        for (let i = 0; i < letters.length; i++) {
+            bytes[i] = letters.charCodeAt(i);
+        }
+        return bytes;
+    }
 
     async function begin({program, lesson}) {
         module ??= await WebAssembly.compile(await new Response(
@@ -75,26 +81,26 @@ function runInWorker() {
         return request === "" ? bytes : bytes.slice(bytes.indexOf(10) + 1);
     }
 
-    // What a program leaves that misses a texture is of no use: another one begins.
+    // A program that misses textures draws without them: another one begins, with them.
     let first, arrived;
     async function reply(request) {
-        try {
-            return answer(request);
-        } catch (error) {
-            if (error.missing === undefined) {
-                throw error;
-            }
-            postMessage(error);
-            textures[error.missing] = fromText(await new Promise(done => { arrived = done; }));
-            await begin(first);
-            return reply(request);
+        const bytes = answer(request);
+        if (missing.size === 0) {
+            return bytes;
         }
+        postMessage({missing: [...missing]});
+        for (const [number, texture] of await new Promise(done => { arrived = done; })) {
+            textures[number] = fromText(texture);
+        }
+        missing.clear();
+        await begin(first);
+        return answer(request);
     }
 
     let last = Promise.resolve(); // one after another
     onmessage = ({data}) => {
-        if (data.texture !== undefined) {
-            arrived(data.texture);
+        if (data.textures !== undefined) {
+            arrived(data.textures);
             return;
         }
         last = last.then(async () => {
@@ -139,10 +145,12 @@ const program = (() => {
                 waiting.shift().done(data);
                 return;
             }
-            const name = lessonPrograms.textures[data.missing];
             try {
-                await load(new URL(`${name}.js`, here)); // which defines lessonPrograms[name]
-                worker.postMessage({texture: lessonPrograms[name]});
+                worker.postMessage({textures: await Promise.all(data.missing.map(async number => {
+                    const name = lessonPrograms.textures[number];
+                    await load(new URL(`${name}.js`, here)); // which defines lessonPrograms[name]
+                    return [number, lessonPrograms[name]];
+                }))});
             } catch (error) {
                 waiting.splice(0).forEach(({fail}) => fail(error));
             }

@@ -707,6 +707,7 @@ test("the lesson's figures, by one's own program, now and after the next save", 
     on('step03_triangle', desktop, '', async (page, address) => {
         await page.click('header a');
         const figure = page.locator('figure').first(), canvas = figure.locator('canvas');
+        await figure.scrollIntoViewIfNeeded();
         await figure.locator('.more').waitFor({timeout: patience});
         const white = () => canvas.evaluate(canvas => {
             const copy = new OffscreenCanvas(canvas.width, canvas.height).getContext('2d', {willReadFrequently: true});

@@ -38,9 +38,10 @@ function htmlOfMarkdown(text, addressOf) {
     }
 
     function table(rows) {
-        const cells = (row, tag) => row.slice(1, -1).split(" |").map(cell => `<${tag}>${inline(cell.trim())}</${tag}>`).join("");
+        const cells = (row, tag) => row.slice(1, -1).split(" |").map(cell => cell.trim() === "" ? "<td></td>"
+            : `<${tag}>${inline(cell.trim())}</${tag}>`).join("");
         const [head, , ...body] = rows.map(row => `${row.trim()}`.replace(/\|$/, " |"));
-        return `<div class=wide tabindex=0><table><thead><tr>${cells(head, /[^| ]/.test(head) ? "th" : "td")}</tr></thead>` +
+        return `<div class=wide tabindex=0><table><thead><tr>${cells(head, "th")}</tr></thead>` +
                `<tbody>${body.map(row => `<tr>${cells(row, "td")}</tr>`).join("")}</tbody></table></div>`;
     }
 
