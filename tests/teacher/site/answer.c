@@ -29,9 +29,9 @@ enum { BUST, KNOT, FIRST_TEXTURE, FILE_COUNT = FIRST_TEXTURE + 3 };
 static const char *const names[FILE_COUNT] = {"bust.obj", "knot.off", "bust_diffuse.png",
                                               "bust_nm.png", "bust_spec.png"};
 
-/* How many bytes the texture has, 0 where the page has not loaded it yet, and a copy of them. Whoever
- * misses a texture goes on without it. The page throws that answer away, loads what was missing,
- * begins the program again from the start, and asks again. */
+/* How many bytes the texture has, 0 where the page has not loaded it yet; and a copy of them. A
+ * program that misses a texture goes on without it. The page throws that answer away, loads what
+ * was missing, begins the program again from the start, and asks again. */
 unsigned texture_size(int texture);
 void texture_copy(int texture, unsigned char *to);
 
