@@ -81,7 +81,7 @@ function htmlOfMarkdown(text, addressOf) {
             } else if (/^<!--/.test(line)) {
                 i++;
             } else {
-                const words = inline(take((line, k) => k === 0 || !/^(\s*$|```|#+ |- |> |\|)/.test(line)).join("\n"));
+                const words = inline(take((line, k) => k === 0 || !/^(\s*$|```|#+ |- |> |\||<\/?details)/.test(line)).join("\n"));
                 html += /^<figure/.test(words) ? words : `<p>${words}</p>`;
             }
         }
