@@ -20,7 +20,7 @@ function htmlOfMarkdown(text, addressOf) {
             .replace(/!\[([^\]]*)\]\(([^ )]+)(?: "([^"]*)")?\)/g, (all, ...parts) => keep(picture(...parts)))
             .replace(/\[([^\]]*)\]\(([^ )]+)\)/g, (all, words, link) =>
                 addressOf(link) === null ? words : `${keep(`<a href="${addressOf(link)}">`)}${words}${keep("</a>")}`)
-            .replace(/<\/?[a-z][^>]*>/g, tag => keep(tag.replace(/ src="([^"]*)"/, (all, source) => ` src="${addressOf(source)}"`)));
+            .replace(/<\/?[a-z](?:"[^"]*"|[^">])*>/g, tag => keep(tag.replace(/ src="([^"]*)"/, (all, source) => ` src="${addressOf(source)}"`)));
         let html = escape(left).replace(/\*\*(.+?)\*\*/gs, "<strong>$1</strong>").replace(/\*([^\s*](?:.*?[^\s])?)\*/gs, "<em>$1</em>");
         while (html.includes("\0")) { // what is kept may hold some that is kept, too
             html = html.replace(/\0(\d+)\0/g, (all, i) => kept[i]);

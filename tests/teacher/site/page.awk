@@ -128,7 +128,7 @@ function touches(line,    done, words) {
 }
 
 # Of a block of code, each line that its fence names.
-function touches_code(line,    i, count, word, tag) {
+function touches_code(line,    i, count, word, tag, before) {
     if (match(line, /<pre><code[^>]* data-meta="[^"]*">/)) {
         tag = substr(line, RSTART, RLENGTH)
         line = substr(line, RSTART + RLENGTH)
@@ -138,7 +138,8 @@ function touches_code(line,    i, count, word, tag) {
         for (i = 1; i <= count; i++) {
             tag = word[i]
             sub(/=.*/, "", tag)
-            parts[tag] = substr(word[i], length(tag) + 2)
+            before = tag in parts ? parts[tag] " " : ""
+            parts[tag] = before substr(word[i], length(tag) + 2)
         }
         code_line = 1
         return "<pre><code>" (1 in parts ? touch(where, parts[1], line) : line)
