@@ -397,6 +397,7 @@ for (const file of pages.filter(file => text(file).includes('data-touch'))) {
                 await page.mouse.down();
                 await page.mouse.move(x + width / 2 + (highest ? 16 : -16), y + height / 2);
                 await page.mouse.up();
+                await page.mouse.move(0, 0); /* on no other figure, wherever the page scrolls next */
                 assert.equal(await word.textContent(), before, what);
             }
         }
