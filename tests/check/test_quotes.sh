@@ -42,7 +42,7 @@ find_quotes() {
         FILENAME != readme { text[FILENAME] = text[FILENAME] $0 "\n"; next }
         inside && /^```/ { inside = 0; check_quote(); next }
         inside { quote[++quoted] = $0; next }
-        /^```c[ \t]*$/ { inside = 1; begin = FNR; quoted = 0 }
+        /^```c( |$)/ { inside = 1; begin = FNR; quoted = 0 }
         END {
             if (inside) wrong("a quote without an end")
             exit failed

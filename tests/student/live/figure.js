@@ -49,8 +49,9 @@ const figures = (() => {
 
     // read() gives its place, from 0 to 1 from the lower left, and that in words; move() gets another place,
     // or with an arrow, how many steps to go.
-    function addHandle(pane, kind, name, read, move, walk) {
+    function addHandle(pane, kind, name, read, move, walk, part) {
         const handle = make("button", {type: "button", className: `handle ${kind}`, ariaLabel: name});
+        handle.dataset.part = part;
         handle.setAttribute("role", "slider");
         const place = event => {
             const box = pane.getBoundingClientRect();
@@ -94,6 +95,69 @@ const figures = (() => {
         const latitude = limited(Math.asin(v[1] / size) + up, -limit, limit);
         return [size * Math.cos(latitude) * Math.sin(longitude), size * Math.sin(latitude),
                 size * Math.cos(latitude) * Math.cos(longitude)];
+    }
+
+    // ---- Words that belong to a figure: figures.awk says how a text writes them ----
+
+    // Those whose figure it is: of "above", the last one before them, of "below", the first one after them.
+    function wordsOf(figure) {
+        const found = [], waiting = [];
+        let above = null;
+        for (const part of (figure.closest("main") ?? document).querySelectorAll("figure[data-live], [data-touch]")) {
+            if (part.matches("figure")) {
+                found.push(...part === figure ? waiting : []);
+                waiting.length = 0;
+                above = part;
+            } else if (part.dataset.of === "below") {
+                waiting.push(part);
+            } else if (above === figure) {
+                found.push(part);
+            }
+        }
+        return found;
+    }
+
+    // A number in a sentence: dragged to the side or moved by the arrows, a step each.
+    function makeScrub(word, {name, least, most, step}, read, write) {
+        Object.assign(word, {className: "scrub", tabIndex: 0, role: "slider", ariaLabel: name, ariaValueMin: least, ariaValueMax: most});
+        const by = steps => write(limited(stepped(read() + steps * step, step), least, most));
+        let held = null;
+        word.addEventListener("pointerdown", event => {
+            word.setPointerCapture(event.pointerId);
+            held = event.clientX;
+        });
+        word.addEventListener("pointermove", ({clientX}) => {
+            const steps = held === null ? 0 : Math.trunc((clientX - held) / 14);
+            if (steps !== 0) {
+                held += 14 * steps;
+                by(steps);
+            }
+        });
+        for (const end of ["pointerup", "pointercancel", "lostpointercapture"]) {
+            word.addEventListener(end, () => { held = null; });
+        }
+        word.addEventListener("keydown", event => {
+            if (arrows[event.key]) {
+                event.preventDefault();
+                event.stopPropagation();
+                const [right, up] = arrows[event.key];
+                by((right + up) * (event.shiftKey ? 10 : 1));
+            }
+        });
+        return () => { word.textContent = word.ariaValueNow = read(); };
+    }
+
+    // What a click does, and Enter and the space key.
+    function makePress(word, press) {
+        Object.assign(word, {className: "claim", tabIndex: 0, role: "button"});
+        word.addEventListener("click", press);
+        word.addEventListener("keydown", event => {
+            if (event.key === "Enter" || event.key === " ") {
+                event.preventDefault();
+                event.stopPropagation();
+                press();
+            }
+        });
     }
 
     // ---- A figure ----
@@ -159,14 +223,19 @@ const figures = (() => {
             const cut = frame.notes.every(note => note.startsWith(common)) ? common.length : 0;
             for (const word of tells) {
                 const notes = frame.notes.map(note => note.slice(cut)).filter(note => ` ${note}`.includes(` ${word}`));
-                told.push(...(word in frame.counters
-                    ? [`${word.replaceAll("_", " ")}: ${Number(frame.counters[word]).toLocaleString("en")}`] : notes));
+                const said = word in frame.counters
+                    ? [`${word.replaceAll("_", " ")}: ${Number(frame.counters[word]).toLocaleString("en")}`]
+                    : word === "|" ? [notes.join("\n")] : notes;
+                told.push(...said.map((textContent, i) => {
+                    const number = make("span", {textContent, className: word === "|" ? "matrix" : ""});
+                    number.dataset.part = said.length > 1 ? word + i : word;
+                    return number;
+                }));
             }
-            const isRow = text => text.startsWith("|"), matrix = told.filter(isRow).join("\n");
-            numbers.replaceChildren(...told.filter(text => !isRow(text)).map(text => make("span", {textContent: text})),
-                                    ...matrix ? [make("span", {textContent: matrix, className: "matrix"})] : []);
+            numbers.replaceChildren(...told);
             figure.dataset.state = "live";
             parts.forEach(show => show());
+            showLit();
         }
 
         // One question at a time; what changes meanwhile is asked once, after it. What takes long is drawn small
@@ -198,9 +267,96 @@ const figures = (() => {
             refresh();
         }
 
+        // ---- Words of the text that belong to it ----
+
+        const lit = new Set(), lights = []; // parts that are pointed at; words that light some, and which
+        function showLit() {
+            figure.querySelectorAll("[data-part]").forEach(part => part.classList.toggle("lit", lit.has(part.dataset.part)));
+            lights.forEach(([word, names]) => word.classList.toggle("lit", names.some(name => lit.has(name))));
+        }
+        function light(names) {
+            lit.clear();
+            names.forEach(name => lit.add(name));
+            showLit();
+        }
+
+        // A number by its name in the text: #5 is the fifth one of the scene's own text.
+        const anyNumber = /-?\d+(\.\d+)?/g;
+        function read(name) {
+            return name === "at" ? `${pixel}` : name[0] === "#" ? Number(chosen.text.match(anyNumber)[name.slice(1) - 1]) : valueOf(name);
+        }
+        function write(numbers) {
+            for (const [name, value] of numbers) {
+                if (name === "at") {
+                    pixel = value.split(",").map(Number);
+                } else if (name[0] === "#") {
+                    let i = 0;
+                    chosen.text = chosen.text.replace(anyNumber, old => ++i === Number(name.slice(1)) ? value : old);
+                } else {
+                    chosen[name] = Number(value);
+                }
+            }
+            choose({});
+        }
+
+        // What is lit besides handles and numbers: a pixel of the figure as in the text, and a line between handles.
+        function addMark(name) {
+            const [from, to] = name.split("-").map(part => pane.querySelector(`.handle[data-part="${part}"]`));
+            if (to !== undefined) {
+                const svg = document.createElementNS("http://www.w3.org/2000/svg", "svg");
+                svg.append(...["hit", "line"].map(className => {
+                    const line = document.createElementNS(svg.namespaceURI, "line");
+                    line.setAttribute("class", className);
+                    return line;
+                }));
+                svg.dataset.part = name;
+                canvas.after(svg);
+                parts.push(() => svg.childNodes.forEach(line => [from, to].forEach((handle, i) => {
+                    line.setAttribute(`x${i + 1}`, handle.style.left);
+                    line.setAttribute(`y${i + 1}`, handle.style.top);
+                })));
+            } else if (/^\d/.test(name)) {
+                const [x, y] = name.split(",").map(Number), mark = make("span", {className: "mark"}), given = chosen.text;
+                mark.dataset.part = name;
+                canvas.after(mark);
+                parts.push(() => {
+                    Object.assign(mark.style, {left: `${100 * x / frame.width}%`, bottom: `${100 * y / frame.height}%`,
+                                               width: `${100 / frame.width}%`, height: `${100 / frame.height}%`});
+                    mark.hidden = chosen.text !== given;
+                });
+            }
+        }
+
+        function addWords(word) {
+            const all = word.dataset.touch.split(" "), numbers = all.map(one => one.split("="));
+            if (all[0][0] === "@") {
+                const names = all.map(one => one.slice(1));
+                names.filter(name => figure.querySelector(`[data-part="${name}"]`) === null).forEach(addMark);
+                Object.assign(word, {className: "lights", tabIndex: 0});
+                for (const begin of ["pointerenter", "focus"]) {
+                    word.addEventListener(begin, () => light(names));
+                }
+                for (const end of ["pointerleave", "blur"]) {
+                    word.addEventListener(end, () => light([]));
+                }
+                lights.push([word, names]);
+            } else if (numbers[0].length > 1) {
+                const before = numbers.map(([name]) => [name, `${read(name)}`]);
+                const is = () => numbers.every(([name, value]) => `${read(name)}` === value || Number(value) === read(name));
+                makePress(word, () => write(is() ? before : numbers));
+                parts.push(() => { word.ariaPressed = is(); });
+            } else {
+                const value = values.find(({name}) => name === all[0]) ?? {name: "coordinate", least: 0, most: Math.max(frame.width, frame.height) - 1, step: 1};
+                const step = Math.max(value.step, (value.most - value.least) / 100);
+                parts.push(makeScrub(word, {...value, step}, () => read(all[0]), to => write([[all[0], to]])));
+            }
+        }
+        figure.addEventListener("pointerover", ({target}) => light([target.closest("[data-part]")?.dataset.part ?? ""]));
+        figure.addEventListener("pointerleave", () => light([]));
+
         // ---- What is dragged on the picture ----
 
-        const add = (...handle) => parts.push(addHandle(pane, ...handle));
+        const add = (part, ...handle) => parts.push(addHandle(pane, ...handle, part));
         const spot = (v, size) => (v + .5) / size; // the middle of a pixel
         const ratio = () => scene.text === undefined ? scene : frame; // its width and height
 
@@ -208,7 +364,7 @@ const figures = (() => {
             // On the half of a sphere that we see: the light goes from there to its middle.
             light() {
                 const angle = () => chosen.light ?? scene.light;
-                add("lamp", "the lamp", () => {
+                add("light", "lamp", "the lamp", () => {
                     const [x, y, z] = angle().map(v => v / length(angle()));
                     const far = z > 0 ? Math.max(Math.hypot(x, y), 1e-9) : 1; // behind: at the rim
                     return [.5 - .46 * x / far, .5 - .46 * y / far, `light ${[x, y, z].map(v => v.toFixed(2))}`];
@@ -225,7 +381,7 @@ const figures = (() => {
                     const middle = valueOf("center"), sight = valueOf("eye").map((x, i) => x - middle[i]);
                     choose({center: middle, eye: turned(sight, -right, -up).map((x, i) => x + middle[i])});
                 };
-                add("whole", "the camera", () => [.5, .5, `at ${valueOf("eye").map(v => v.toFixed(2))}`],
+                add("camera", "whole", "the camera", () => [.5, .5, `at ${valueOf("eye").map(v => v.toFixed(2))}`],
                     (x, y, right, up) => turn(3 * right, 3 * up), (right, up) => turn(right / 30, up / 30));
             },
             // The pixel of which the program says something.
@@ -236,7 +392,7 @@ const figures = (() => {
                 };
                 const point = (x, y) => put(Math.floor(x * ratio().width), Math.floor(y * ratio().height));
                 pane.style.setProperty("--pixel", `${100 / ratio().width}%`);
-                add("probe", "the pixel", () => [spot(pixel[0], ratio().width), spot(pixel[1], ratio().height), `${pixel}`],
+                add("pixel", "probe", "the pixel", () => [spot(pixel[0], ratio().width), spot(pixel[1], ratio().height), `${pixel}`],
                     point, (right, up) => put(pixel[0] + right, pixel[1] + up));
                 pane.addEventListener("pointermove", ({clientX, clientY, buttons, pointerType}) => {
                     if (buttons === 0 && pointerType === "mouse") {
@@ -247,7 +403,8 @@ const figures = (() => {
             },
             // Corners and ends in the scene's text, those at one place together; and pairs of values NAME_x, NAME_y.
             points() {
-                const lines = scene.text === undefined ? [] : chosen.text.split("\n").map(line => line.trim().split(/\s+/));
+                const read = () => scene.text === undefined ? [] : chosen.text.split("\n").map(line => line.trim().split(/\s+/));
+                const lines = read();
                 const step = lines.some(([word]) => word === "line") ? 1 : 1 / 8, shared = new Map();
                 lines.forEach((words, row) => {
                     for (let i = 1; i < 1 + 2 * ({line: 2, triangle: 3}[words[0]] ?? 0); i += 2) {
@@ -255,13 +412,14 @@ const figures = (() => {
                         shared.set(place, [...shared.get(place) ?? [], [row, i]]);
                     }
                 });
-                for (const all of shared.values()) {
-                    const [row, i] = all[0], now = () => lines[row].slice(i, i + 2).map(Number);
+                for (const [number, all] of [...shared.values()].entries()) {
+                    const [row, i] = all[0], now = () => read()[row].slice(i, i + 2).map(Number);
                     const put = (x, y) => {
+                        const lines = read();
                         all.forEach(([row, i]) => lines[row].splice(i, 2, stepped(x, step), stepped(y, step)));
                         choose({text: lines.map(words => words.join(" ")).join("\n")});
                     };
-                    add("point", lines[row][0] === "line" ? "an end" : "a corner",
+                    add(`point${number + 1}`, "point", lines[row][0] === "line" ? "an end" : "a corner",
                         () => [spot(now()[0], frame.width), spot(now()[1], frame.height), `${now()}`],
                         (x, y) => put(x * frame.width - .5, y * frame.height - .5),
                         (right, up) => put(now()[0] + right * step, now()[1] + up * step));
@@ -272,7 +430,7 @@ const figures = (() => {
                     const put = (right, up) => choose(Object.fromEntries([[x, right], [y, up]].map(([v, to]) =>
                         [v.name, stepped(limited(to, v.least, v.most), v.step)])));
                     const key = Math.max(x.step, (x.most - x.least) / 100);
-                    add("point", point.replaceAll("_", " "), () => [part(x), part(y), `${valueOf(x.name)}, ${valueOf(y.name)}`],
+                    add(point, "point", point.replaceAll("_", " "), () => [part(x), part(y), `${valueOf(x.name)}, ${valueOf(y.name)}`],
                         (left, up) => put(x.least + left * (x.most - x.least), y.least + up * (y.most - y.least)),
                         (right, up) => put(valueOf(x.name) + right * key, valueOf(y.name) + up * key));
                 }
@@ -315,6 +473,34 @@ const figures = (() => {
             return make("label", {}, make("span", {textContent: help}), input, output);
         }
 
+        // The frames, to and fro about the first one, as if it swung. Nothing moves out of view, nor where somebody
+        // asked for less motion.
+        function makePlay() {
+            const button = make("button", {type: "button", className: "toggle", onclick: () => set(!moving)});
+            let moving = false, seen = true, angle = 0, last = 0;
+            function set(on) {
+                moving = on;
+                button.textContent = moving ? "stop" : "move";
+                if (moving) {
+                    requestAnimationFrame(move);
+                }
+            }
+            function move(now) {
+                if (seen && !asking && now - last > 40) {
+                    angle += Math.min(now - last, 100) / 1800;
+                    last = now;
+                    const frames = scene.frames;
+                    choose({frame: 1 + (frames + Math.round(.22 * frames * Math.sin(angle))) % frames});
+                }
+                if (moving && button.isConnected) {
+                    requestAnimationFrame(move);
+                }
+            }
+            new IntersectionObserver(([{isIntersecting}]) => { seen = isIntersecting; }).observe(pane);
+            set(!matchMedia("(prefers-reduced-motion: reduce)").matches);
+            return button;
+        }
+
         const panel = make("div", {className: "panel"});
         pane.append(canvas);
         await draw(false);
@@ -324,7 +510,11 @@ const figures = (() => {
                 {wrong: {name, help: "wrong pixels", least: 0, most: 1, step: 1},
                  frame: {name, help: "frame", least: 1, most: scene.frames, step: 1}}[name];
             if (value) {
-                panel.append(makeControl(value));
+                const control = makeControl(value);
+                control.dataset.part = name;
+                panel.append(control);
+            } else if (name === "play") {
+                panel.append(makePlay());
             } else {
                 handles[name]?.(); // a hand-out lacks some values
             }
@@ -332,6 +522,7 @@ const figures = (() => {
         panel.append(numbers, make("button", {type: "button", className: "more", textContent: "\u2022\u2022\u2022",
             ariaLabel: "Everything about this picture", onclick: () => openPanel(still.alt, {scene: name, ...chosen})}));
         pane.after(panel);
+        wordsOf(figure).forEach(addWords);
         parts.forEach(show => show());
     }
 

@@ -1,39 +1,31 @@
-// The lesson's living figures, each with its heading and the paragraph before it, drawn by the student's
-// program: taken from the lesson's README.md, where their titles say what they offer.
+// The lesson's text as it is on the web pages, with its figures drawn by the student's program, or still, by the
+// lesson's. Its second page is figures.html?CAMERA.md.
 "use strict";
 
 const main = document.querySelector("main"), message = document.getElementById("message");
+const file = location.search.slice(1) || "README.md";
 
-function element(tag, options, ...content) {
-    const made = Object.assign(document.createElement(tag), options);
-    made.append(...content);
-    return made;
+// Pictures are served as they lie, and the lesson's pages; other lessons and files are not.
+function addressOf(link) {
+    if (/\.(png|svg)$/.test(link)) {
+        return link.replace("../", "");
+    }
+    const [, page, place] = /^([A-Z]+\.md)?(#.*)?$/.exec(link) ?? [];
+    return page !== undefined ? `figures.html?${page}${place ?? ""}` : place ?? (/^https?:/.test(link) ? link : null);
 }
 
-// Markdown without its signs.
-const plain = text => text.replace(/!?\[([^\]]*)\]\([^)]*\)/g, "$1").replace(/[`*]/g, "").replace(/\s+/g, " ");
-
-function show(text, step) {
-    let heading = "", words = "";
-    for (const block of text.split(/\n\n+/)) {
-        const found = [...block.matchAll(/!\[([^\]]+)\]\(([^ )]+) "(live: [^"]+)"\)/g)];
-        if (found.length > 0) {
-            main.append(...heading ? [element("h2", {textContent: heading})] : [], ...words ? [element("p", {textContent: words})] : []);
-            heading = words = "";
-        }
-        for (const [, alt, file, title] of found) {
-            const image = element("img", {alt, src: file.replace(`../tests/reference/${step}/`, "reference/")});
-            const figure = element("figure", {}, element("div", {className: "pane"}, image));
-            figure.dataset.live = title;
-            main.append(figure);
-            image.addEventListener("load", () => figures.sleep(figure)); // with a size, it is in view or not
-        }
-        if (/^#+ /.test(block)) {
-            [heading, words] = [plain(block.replace(/^#+ /, "")), ""];
-        } else if (/^[^\s|<!>`#-]/.test(block)) {
-            words = plain(block);
+function show(text) {
+    const rest = text.replace(/\n\n\[.* \| .*\n/, "\n"); // without the links to other lessons
+    main.innerHTML = htmlOfMarkdown(rest, addressOf);
+    document.title = main.querySelector("h1").textContent;
+    for (const figure of main.querySelectorAll("figure[data-live]")) {
+        const image = figure.querySelector("img"); // with a size, it is in view or not
+        image.addEventListener("load", () => figures.sleep(figure));
+        if (image.complete) {
+            figures.sleep(figure);
         }
     }
+    document.getElementById(decodeURIComponent(location.hash.slice(1)))?.scrollIntoView();
 }
 
 const buttons = [...document.querySelectorAll("header button")];
@@ -49,8 +41,7 @@ async function lookForChanges() {
         const state = await program.state();
         message.textContent = state.building ? "Building ..." : state.message;
         if (version === 0) {
-            document.title = document.querySelector("h1").textContent = state.step;
-            show(await (await fetchFrom("text")).text(), state.step);
+            show(await (await fetchFrom(`text/${file}`)).text());
         } else if (state.version !== version) {
             figures.refresh();
         }

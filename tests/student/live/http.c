@@ -83,7 +83,7 @@ static bool is_for_us(const struct http_server *server, const char *head,
     char host[32], format[64], method[8], token[HTTP_TOKEN_LENGTH + 1];
     const char *field = find_field(head, "Host");
     snprintf(host, sizeof host, "127.0.0.1:%u\r", server->port);
-    snprintf(format, sizeof format, "%%7s /%%%d[0-9a-f]/%%%d[a-z0-9_./]", HTTP_TOKEN_LENGTH,
+    snprintf(format, sizeof format, "%%7s /%%%d[0-9a-f]/%%%d[A-Za-z0-9_./]", HTTP_TOKEN_LENGTH,
              HTTP_PATH_LIMIT - 1);
     request->path[0] = '\0';
     if (field == NULL || strncmp(field, host, strlen(host)) != 0 ||

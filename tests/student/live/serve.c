@@ -307,6 +307,8 @@ static void answer(struct live *live, struct http_request *request) {
         {"figures.js", "tests/student/live/figures.js", "text/javascript"},
         {"figure.css", "tests/student/live/figure.css", "text/css"},
         {"figure.js", "tests/student/live/figure.js", "text/javascript"},
+        {"text.js", "tests/student/live/text.js", "text/javascript"},
+        {"text.css", "tests/student/live/text.css", "text/css"},
         {"page.css", "tests/student/live/page.css", "text/css"},
         {"page.js", "tests/student/live/page.js", "text/javascript"},
         {"server.js", "tests/student/live/server.js", "text/javascript"},
@@ -322,15 +324,17 @@ static void answer(struct live *live, struct http_request *request) {
         answer_frame(live, request);
     } else if (strcmp(request->path, "state") == 0) {
         answer_state(live, request);
-    } else if (strcmp(request->path, "text") == 0) {
-        snprintf(path, sizeof path, "%s/README.md", live->step);
+    } else if (strncmp(request->path, "text/", 5) == 0) {
+        snprintf(path, sizeof path, "%s/%s", live->step, request->path + 5);
         answer_file(request, path, "text/plain; charset=utf-8");
+    } else if (strncmp(request->path, "tests/reference/", 16) == 0) {
+        answer_file(request, request->path, "image/png");
     } else if (strncmp(request->path, "reference/", 10) == 0) {
         snprintf(path, sizeof path, "tests/reference/%s/%s", live->step, request->path + 10);
         answer_file(request, path, "image/png");
     } else if (strncmp(request->path, "figures/", 8) == 0) {
         snprintf(path, sizeof path, "%s/%s", live->step, request->path);
-        answer_file(request, path, "image/png");
+        answer_file(request, path, strstr(path, ".svg") != NULL ? "image/svg+xml" : "image/png");
     } else {
         http_answer(request, 404, "text/plain", "", 0);
     }

@@ -1,20 +1,17 @@
 /*
  * The lessons' programs as one module of WebAssembly, for web pages. They answer requests as with
  * --live (common/run/live.h), but whenever the page calls, since nothing can wait there; and their
- * files are in memory: two models, and textures, which are sculpted when one is read first.
+ * files are in memory: two models, and textures, which the page loads when one is read first.
  *
  * site.sh compiles it: main() of step05_zbuffer is step05_zbuffer_main() then, LESSONS lists such
  * names, and calls of live_loop(), file_read() and file_exists() come here (--wrap).
  */
 #include "base/file.h"
 #include "run/live.h"
-#include "sculptor/skin.h"
 
 #include <string.h>
 
 /* ---- Files ---- */
-
-enum { TEXTURE_SIZE = 1024, FINE_COLUMNS = 224, FINE_ROWS = 448 }; /* as in sculptor/sculpt.c */
 
 /* A file's bytes and their number. */
 #define INCLUDE_FILE(name, file)                                                                   \
@@ -27,26 +24,16 @@ enum { TEXTURE_SIZE = 1024, FINE_COLUMNS = 224, FINE_ROWS = 448 }; /* as in scul
 INCLUDE_FILE(bust, "bust.obj");
 INCLUDE_FILE(knot, "knot.off");
 
-enum { BUST, KNOT, DIFFUSE, NORMALS, SPECULAR, FILE_COUNT };
+enum { BUST, KNOT, FIRST_TEXTURE, FILE_COUNT = FIRST_TEXTURE + 3 };
 
-static const char *const names[] = {"bust.obj", "knot.off", "bust_diffuse.tga", "bust_nm.tga",
-                                    "bust_spec.tga"};
-static struct bytes files[FILE_COUNT];
+static const char *const names[FILE_COUNT] = {"bust.obj", "knot.off", "bust_diffuse.png",
+                                              "bust_nm.png", "bust_spec.png"};
 
-static bool sculpt_textures(struct error *error) {
-    struct surface surface;
-    struct skin skin = {0};
-    if (!surface_create(&surface, FINE_COLUMNS, FINE_ROWS)) {
-        return error_out_of_memory(error);
-    }
-    bool done = skin_create(&skin, &surface, TEXTURE_SIZE, error) &&
-                tga_encode(&skin.diffuse, &files[DIFFUSE], error) &&
-                tga_encode(&skin.normals, &files[NORMALS], error) &&
-                tga_encode(&skin.specular, &files[SPECULAR], error);
-    skin_free(&skin);
-    surface_free(&surface);
-    return done;
-}
+/* How many bytes the texture has, 0 where the page has not loaded it yet; and a copy of them. A
+ * program that misses a texture goes on without it. The page throws that answer away, loads what
+ * was missing, begins the program again from the start, and asks again. */
+unsigned texture_size(int texture);
+void texture_copy(int texture, unsigned char *to);
 
 /* Its place among the files; FILE_COUNT: there is none of that name. */
 static int find_file(const char *path) {
@@ -74,8 +61,13 @@ bool __wrap_file_read(const char *path, struct bytes *bytes, struct error *error
     if (i == FILE_COUNT) {
         return error_set(error, "%s: a web page has no such file", path);
     }
-    return (files[i].size > 0 || sculpt_textures(error)) &&
-           bytes_append(bytes, files[i].data, files[i].size);
+    unsigned size = texture_size(i - FIRST_TEXTURE);
+    if (size == 0 || !bytes_reserve(bytes, size)) {
+        return error_set(error, "%s: is not there yet", path);
+    }
+    texture_copy(i - FIRST_TEXTURE, bytes->data);
+    bytes->size = size;
+    return true;
 }
 
 /* ---- Answers ---- */

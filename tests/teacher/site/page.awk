@@ -97,6 +97,7 @@ function picture(line,    done, tag, source, offer) {
         if (sections != "") sub(/<img/, "<img loading=lazy", tag)
         if (match(tag, / title="live: [^"]*"/)) {
             living++
+            if (lesson == "") lesson = substr(source, 1, index(source, "/") - 1)
             offer = substr(tag, RSTART + 7, RLENGTH - 7)
             tag = "<figure data-live=" offer "><div class=pane>" substr(tag, 1, RSTART - 1) \
                   substr(tag, RSTART + RLENGTH) "</div></figure>"
@@ -104,22 +105,67 @@ function picture(line,    done, tag, source, offer) {
         done = done tag
     }
     line = done line
-    if (line ~ /^<p><figure/) gsub(/<\/?p>/, "", line)
+    if (line ~ /<p><figure/) gsub(/<\/?p>/, "", line)
     gsub(/\.png"/, ".webp\"", line)
     return line
 }
 
+# Words that belong to a figure (figures.awk says how they are written): figure.js makes them do so.
+function touch(where, words, text) {
+    return "<span data-of=" where " data-touch=\"" words "\">" text "</span>"
+}
+
+function touches(line,    done, words) {
+    while (match(line, /<!-- (above|below): [^>]* -->/)) {
+        done = done substr(line, 1, RSTART - 1)
+        words = substr(line, RSTART + 5, RLENGTH - 9)
+        line = substr(line, RSTART + RLENGTH)
+        match(line, /<!-- \/ -->/)
+        done = done touch(substr(words, 1, 5), substr(words, 8), substr(line, 1, RSTART - 1))
+        line = substr(line, RSTART + RLENGTH)
+    }
+    return done line
+}
+
+# Of a block of code, each line that its fence names.
+function touches_code(line,    i, count, word, tag, before) {
+    if (match(line, /<pre><code[^>]* data-meta="[^"]*">/)) {
+        tag = substr(line, RSTART, RLENGTH)
+        line = substr(line, RSTART + RLENGTH)
+        sub(/.*data-meta="/, "", tag)
+        where = substr(tag, 1, 5)
+        count = split(substr(tag, 8, length(tag) - 9), word, " ")
+        for (i = 1; i <= count; i++) {
+            tag = word[i]
+            sub(/=.*/, "", tag)
+            before = tag in parts ? parts[tag] " " : ""
+            parts[tag] = before substr(word[i], length(tag) + 2)
+        }
+        code_line = 1
+        return "<pre><code>" (1 in parts ? touch(where, parts[1], line) : line)
+    }
+    return ++code_line in parts && line !~ /<\/pre>/ ? touch(where, parts[code_line], line) : line
+}
+
 /^<h[1-6]>/ { $0 = heading($0) }
+/<pre>/ { split("", parts) }
+/<pre>/, /<\/pre>/ { $0 = touches_code($0) }
+/<!-- / { $0 = touches($0) }
 { text = text " " plain($0) }
 /<img/ { $0 = picture($0) }
 /href=/ { $0 = link($0) }
 /<pre>/ { sub(/<pre>/, "<pre tabindex=0>") } # which may be wider than the page
-/^<th/ && /><\/th>$/ { gsub(/th/, "td") } # an empty one heads nothing
+/^<th[^>]*><\/th>$/ { gsub(/th/, "td") } # an empty one heads nothing
+/^<tr>/ { column = 0 }
+/^<th/ { head[++column] = plain($0) }
+/^<td/ && /<figure/ { sub(/<td/, "<td data-label=\"" head[++column] "\"") }
+/^<td/ && !/<figure/ { column++ }
 /^<table>/ { $0 = "<div class=wide tabindex=0>" $0 }
 { body = body $0 "\n" }
 /<\/table>/ { body = body "</div>\n" }
 
 function print_contents(    i, in_lesson) {
+    if (page !~ /^step/) lesson = ""
     print "<nav id=\"contents\" aria-label=Contents>\n<ul>"
     for (i = 1; i <= pages; i++) {
         in_lesson = lesson != "" && index(address[i], lesson "/") == 1
@@ -141,20 +187,25 @@ function neighbour(step, name,    i) {
 
 END {
     end_section()
-    print "<!DOCTYPE html>\n<html lang=en>\n<head>\n<meta charset=utf-8>"
+    print "<!DOCTYPE html>\n<html lang=en" (page == "index.html" ? " class=first" : "") ">\n<head>\n<meta charset=utf-8>"
     print "<meta http-equiv=Content-Security-Policy content=\"default-src 'none'; script-src 'self'" \
           (living ? " 'wasm-unsafe-eval'; worker-src blob:" : "") "; style-src 'self'; img-src 'self' data:; frame-src 'self'; base-uri 'none'; form-action 'none'\">"
     print "<meta name=viewport content=\"width=device-width,initial-scale=1\">"
     print "<meta name=referrer content=no-referrer>\n<title>" title[here] "</title>"
     print "<link rel=icon href=\"data:,\">\n<link rel=stylesheet href=\"" root "live/figure.css\">\n" \
+          "<link rel=stylesheet href=\"" root "live/text.css\">\n" \
           "<link rel=stylesheet href=\"" root "live/site.css\">"
     if (living) {
-        print "<script defer src=\"" root "live/wasm.js\"></script>\n<script defer src=\"" root "live/figure.js\"></script>"
+        print "<script defer src=\"" root "live/wasm.js\" data-lesson=" lesson "></script>\n<script defer src=\"" root "live/figure.js\"></script>"
     }
     print "<script defer src=\"" root "live/site.js\"></script>\n</head>\n<body>\n<header>"
     print "<a href=\"#contents\">Contents</a>"
     print "<search><input id=search type=search aria-label=\"Search the course\" placeholder=Search hidden></search>"
     print "<ol id=found hidden></ol>\n</header>\n<main>"
+    if (page == "index.html") { # what comes before the map is its first screen
+        at = index(body, "<h2")
+        body = "<div class=stage>" substr(body, 1, at - 1) "</div>\n" substr(body, at)
+    }
     printf "%s", body
     print "<nav class=neighbours aria-label=\"Next and previous\">"
     neighbour(-1, "prev")

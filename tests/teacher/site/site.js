@@ -141,7 +141,7 @@ function go_back() {
     show_slide(Math.max(0, shown - 1));
 }
 
-if (main.querySelector("h2") !== null) {
+if (main.querySelector("h2") !== null && main.querySelector(".stage") === null) {
     const link = element("a", "Slides");
     link.href = "#slide=1";
     document.querySelector("header").prepend(link);

@@ -46,8 +46,10 @@ finish_texts
 
 # What a picture's title says of a living figure must be something that the lesson's program can do.
 for lesson in $lessons; do
+    texts_of="$lesson/*.md $(grep -l "src=.$lesson/.*\"live: " README.md)"
+    # shellcheck disable=SC2086 # one word a file
     "$build/moving/$lesson" --live </dev/null |
-        awk -f tests/teacher/site/figures.awk - "$lesson"/*.md ||
+        awk -f tests/teacher/site/figures.awk - $texts_of ||
         fail 1 "$lesson shows a living figure that its program cannot draw"
 done
 
@@ -77,7 +79,7 @@ for text in $texts; do
 done >"$work/contents"
 mkdir "$new/live"
 for text in $texts; do
-    cmark-gfm --unsafe -e table -e strikethrough -e autolink "$new/$text" >"$work/text" &&
+    cmark-gfm --unsafe --full-info-string -e table -e strikethrough -e autolink "$new/$text" >"$work/text" &&
         awk -v page="$(page_of "$text")" -v contents="$work/contents" -v sizes="$work/sizes" -v words="$work/words" \
             -f tests/teacher/site/page.awk "$work/text" >"$new/$(page_of "$text")" &&
         cat "$work/words" >>"$work/all_words" && rm "$new/$text" || fail 1 "cannot write the page of $text"
@@ -103,22 +105,32 @@ printf '%s\n' $lessons | xargs -P "$(getconf _NPROCESSORS_ONLN)" -I @ \
     $compile -mexec-model=reactor "-DLESSONS(X)=$names" -o "$work/program" \
         -Wl,--stack-first,-z,stack-size=1048576,-s,--wrap=live_loop,--wrap=file_read,--wrap=file_exists \
         -Wl,--export=start,--export=answer,--allow-undefined \
-        tests/teacher/site/answer.c "$work"/*.o common/*.c common/[bfpr]*/*.c \
-        common/sculptor/[!s]*.c common/sculptor/s[!c]*.c -lm || fail 1 "cannot compile the lessons"
+        tests/teacher/site/answer.c "$work"/*.o common/*.c common/[bfpr]*/*.c -lm || fail 1 "cannot compile the lessons"
+textures='bust_diffuse bust_nm bust_spec' # as in answer.c
 {
-    printf 'const lessonPrograms = {lessons: "%s".split(" "), program: "' "${lessons# }"
+    printf 'const lessonPrograms = {lessons: "%s".split(" "), textures: "%s".split(" "), program: "' \
+        "${lessons# }" "$textures"
     gzip -9nc "$work/program" | base64 | tr -d '\n'
     echo '"};'
 } >"$new/live/program.js"
+clang -O2 -std=c17 -Icommon tests/teacher/site/texture.c "$build/quick/libcommon.a" -lm -o "$work/texture" ||
+    fail 1 "cannot compile what converts textures"
+for texture in $textures; do
+    "$work/texture" "$build/models/$texture.tga" "$work/$texture.png" && {
+        printf 'lessonPrograms.%s = "' "$texture"
+        base64 <"$work/$texture.png" | tr -d '\n'
+        echo '";'
+    } >"$new/live/$texture.js" || fail 1 "cannot convert $texture"
+done
 
 # ---- The live page of each lesson ----
 
 for file in tests/student/live/*.css tests/student/live/*.js tests/teacher/site/*.css tests/teacher/site/*.js; do
-    case $file in */server.js | */figures.*) ;; *) put "$file" "live/${file##*/}" ;; esac # of make live
+    case $file in */server.js | */text.js | */figures.*) ;; *) put "$file" "live/${file##*/}" ;; esac # of make live
 done
 policy="default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self'; worker-src blob:; img-src data:"
 for lesson in $lessons; do
-    sed -e 's|=\([a-z]*\.[cj]s*\)>|=../live/\1>|' -e 's|/server.js|/wasm.js|' \
+    sed -e 's|=\([a-z]*\.[cj]s*\)>|=../live/\1>|' -e "s|/server.js|/wasm.js data-lesson=$lesson|" \
         -e "s|<meta charset=utf-8>|&<meta http-equiv=Content-Security-Policy content=\"$policy\">|" \
         -e "s|^<a href=figures.html>.*|<a href=index.html target=_top>$(sed -n '1s/^# //p' "$lesson/README.md")</a>|" \
         tests/student/live/page.html >"$new/$lesson/live.html"

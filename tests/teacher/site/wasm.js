@@ -5,7 +5,8 @@
 // Runs in the worker, without the rest of this file.
 function runInWorker() {
     const unsupported = 8; // what all else of WASI says: no such file
-    let exports, input, output;
+    const textures = [], missing = new Set(); // those that the page has loaded, and those that it should
+    let module, exports, input, output;
     const numbers = () => new DataView(exports.memory.buffer);
     const pieces = (vectors, count) => Array.from({length: count}, (_, i) =>
         new Uint8Array(exports.memory.buffer, numbers().getUint32(vectors + 8 * i, true),
@@ -37,14 +38,29 @@ function runInWorker() {
     };
     const imports = {
         wasi_snapshot_preview1: new Proxy(wasi, {get: (all, name) => all[name] ?? (() => unsupported)}),
-        env: {wait_for_calls() { throw "waiting"; }},
+        env: {
+            wait_for_calls() { throw "waiting"; },
+            texture_size(number) {
+                if (textures[number] === undefined) {
+                    missing.add(number);
+                }
+                return textures[number]?.length ?? 0;
+            },
+            texture_copy(number, to) { new Uint8Array(exports.memory.buffer).set(textures[number], to); },
+        },
     };
+    function fromText(base64) {
+        const letters = atob(base64), bytes = new Uint8Array(letters.length);
+        for (let i = 0; i < letters.length; i++) {
+            bytes[i] = letters.charCodeAt(i);
+        }
+        return bytes;
+    }
 
     async function begin({program, lesson}) {
-        const packed = Uint8Array.from(atob(program), letter => letter.charCodeAt(0));
-        const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"));
-        const bytes = await new Response(stream).arrayBuffer();
-        exports = (await WebAssembly.instantiate(bytes, imports)).instance.exports;
+        module ??= await WebAssembly.compile(await new Response(
+            new Blob([fromText(program)]).stream().pipeThrough(new DecompressionStream("gzip"))).arrayBuffer());
+        exports = (await WebAssembly.instantiate(module, imports)).exports;
         exports._initialize();
         try {
             exports.start(lesson);
@@ -65,17 +81,41 @@ function runInWorker() {
         return request === "" ? bytes : bytes.slice(bytes.indexOf(10) + 1);
     }
 
-    let begun;
-    onmessage = async ({data}) => {
-        begun ??= begin(data);
-        await begun;
-        const bytes = answer(data.request);
-        postMessage(bytes, [bytes.buffer]);
+    // A program that misses textures draws without them: another one begins, with them.
+    let first, arrived;
+    async function reply(request) {
+        const bytes = answer(request);
+        if (missing.size === 0) {
+            return bytes;
+        }
+        postMessage({missing: [...missing]});
+        for (const [number, texture] of await new Promise(done => { arrived = done; })) {
+            textures[number] = fromText(texture);
+        }
+        missing.clear();
+        await begin(first);
+        return answer(request);
+    }
+
+    let last = Promise.resolve(); // one after another
+    onmessage = ({data}) => {
+        if (data.textures !== undefined) {
+            arrived(data.textures);
+            return;
+        }
+        last = last.then(async () => {
+            if (first === undefined) {
+                await begin(first = data);
+            }
+            const bytes = await reply(data.request);
+            postMessage(bytes, [bytes.buffer]);
+        });
     };
     onunhandledrejection = ({reason}) => setTimeout(() => { throw reason; });
 }
 
 const program = (() => {
+    const here = document.currentScript.src, lesson = document.currentScript.dataset.lesson;
     const waiting = []; // for the worker's answers
     let worker, started;
 
@@ -98,9 +138,23 @@ const program = (() => {
 
     // Its description of its scenes.
     async function start(step) {
-        await load("../live/program.js"); // which defines lessonPrograms
+        await load(new URL("program.js", here)); // which defines lessonPrograms
         worker = new Worker(URL.createObjectURL(new Blob([`(${runInWorker})()`], {type: "text/javascript"})));
-        worker.onmessage = ({data}) => waiting.shift().done(data);
+        worker.onmessage = async ({data}) => {
+            if (data.missing === undefined) {
+                waiting.shift().done(data);
+                return;
+            }
+            try {
+                worker.postMessage({textures: await Promise.all(data.missing.map(async number => {
+                    const name = lessonPrograms.textures[number];
+                    await load(new URL(`${name}.js`, here)); // which defines lessonPrograms[name]
+                    return [number, lessonPrograms[name]];
+                }))});
+            } catch (error) {
+                waiting.splice(0).forEach(({fail}) => fail(error));
+            }
+        };
         worker.onerror = ({message}) => waiting.shift()?.fail(new Error(message));
         const lesson = lessonPrograms.lessons.indexOf(step);
         const bytes = await ask({program: lessonPrograms.program, lesson, request: ""});
@@ -109,11 +163,10 @@ const program = (() => {
 
     return {
         async state() {
-            const step = location.pathname.split("/").at(-2);
-            started ??= start(step);
-            return {version: 1, step, message: "", program: await started};
+            started ??= start(lesson);
+            return {version: 1, step: lesson, message: "", program: await started};
         },
         frame: request => ask({request}),
-        everything: "live.html", // the page with all that can be asked of it
+        everything: new URL(`../${lesson}/live.html`, here).href, // the page with all that can be asked of it
     };
 })();

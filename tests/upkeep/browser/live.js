@@ -707,6 +707,7 @@ test("the lesson's figures, by one's own program, now and after the next save", 
     on('step03_triangle', desktop, '', async (page, address) => {
         await page.click('header a');
         const figure = page.locator('figure').first(), canvas = figure.locator('canvas');
+        await figure.scrollIntoViewIfNeeded();
         await figure.locator('.more').waitFor({timeout: patience});
         const white = () => canvas.evaluate(canvas => {
             const copy = new OffscreenCanvas(canvas.width, canvas.height).getContext('2d', {willReadFrequently: true});
@@ -716,6 +717,11 @@ test("the lesson's figures, by one's own program, now and after the next save", 
         for (let i = 0; i < 600 && await white() === 0; i++) await page.waitForTimeout(100);
         assert.equal(await white(), 5);
         assert.match(await figure.locator('.numbers').textContent(), /E0 = \+5\.0000, inside/);
+        await page.getByRole('button', {name: '(3,3)'}).click(); /* in the table above it */
+        await figure.locator('.numbers:has-text("E0 = -2.0000, outside")').waitFor();
+        const headings = text => text.match(/^#+ /gm).length;
+        assert.equal(await page.locator('main :is(h1, h2, h3, h4)').count(), headings(fs.readFileSync(`${course}/step03_triangle/README.md`, 'utf8')));
+        assert.equal(await page.locator('main img').evaluateAll(all => all.filter(i => i.complete && i.naturalWidth === 0).length), 0);
         await changed('step03_triangle', 'if (columns.begin >= columns.end', 'if (columns.begin < columns.end', async () => {
             for (let i = 0; i < 600 && await white() > 0; i++) await page.waitForTimeout(100);
             assert.equal(await white(), 0);

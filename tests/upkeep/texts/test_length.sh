@@ -12,7 +12,7 @@ for page in $(for lesson in step*; do pages "$lesson"; done); do
             words = 0
         }
         /^## / { end(); part = substr($0, 4) }
-        { gsub(/ "live: [^"]*"/, ""); words += NF } # not what a figure offers
+        { gsub(/ "live: [^"]*"|<!--[^>]*-->/, ""); words += NF } # not what a figure offers
         END { end(); exit bad }' "$page" || failed=1
 done
 exit $failed
