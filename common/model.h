@@ -105,6 +105,7 @@ struct model {
     int turns[3]; /* quarter turns around x, y, z since it was read: see fit.h */
     const char *texture_files[MODEL_TEXTURE_KINDS]; /* to read instead; NULL: those next to it */
     struct texture textures[MODEL_TEXTURE_KINDS];   /* empty until first asked for */
+    size_t level_limit; /* levels that a diffuse or specular texture gets; 0: all of them */
 };
 
 /* Free everything and leave an empty model. */

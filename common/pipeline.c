@@ -38,7 +38,7 @@ static void free_workers(struct frame *frame) {
         free(frame->scratch[i].is_visible);
         free(frame->scratch[i].visible);
         free(frame->scratch[i].colors);
-        free(frame->scratch[i].plane_index);
+        free(frame->scratch[i].plane_place);
         free(frame->scratch[i].planes);
         free(frame->scratch[i].before);
     }
@@ -104,8 +104,8 @@ static bool scratch_reserve(struct scratch *scratch, const struct frame *frame) 
                         sizeof *scratch->visible) &&
            array_extend(&scratch->colors, &scratch->color_capacity, count,
                         sizeof *scratch->colors) &&
-           array_extend(&scratch->plane_index, &scratch->plane_index_capacity, count,
-                        sizeof *scratch->plane_index) &&
+           array_extend(&scratch->plane_place, &scratch->plane_place_capacity, count,
+                        sizeof *scratch->plane_place) &&
            array_extend(&scratch->planes, &scratch->plane_capacity, visible,
                         PLANES_SIZE(VARYING_LIMIT) * sizeof *scratch->planes) &&
            (!frame->discards || array_extend(&scratch->before, &scratch->before_capacity,

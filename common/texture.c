@@ -138,9 +138,9 @@ static void unpack_image(const struct image *image, const struct texture_level *
     }
 }
 
-/* Set the sizes of all levels. Returns how many texels they have, which lie one after the other,
+/* Set the sizes of the levels. Returns how many texels they have, which lie one after the other,
  * with the row above the last one. */
-static uint64_t lay_out(struct texture *texture, size_t width, size_t height) {
+static uint64_t lay_out(struct texture *texture, size_t width, size_t height, size_t limit) {
     uint64_t count = 0;
     for (;;) {
         size_t pitch = texture_pitch(width);
@@ -150,7 +150,7 @@ static uint64_t lay_out(struct texture *texture, size_t width, size_t height) {
             .pitch = pitch,
         };
         count += (uint64_t)pitch * (height + 1);
-        if (width == 1 && height == 1) {
+        if ((width == 1 && height == 1) || texture->level_count == limit) {
             return count;
         }
         width = half_size(width);
@@ -159,6 +159,11 @@ static uint64_t lay_out(struct texture *texture, size_t width, size_t height) {
 }
 
 bool texture_create(struct texture *texture, const struct image *image, struct error *error) {
+    return texture_create_levels(texture, image, 0, error);
+}
+
+bool texture_create_levels(struct texture *texture, const struct image *image, size_t limit,
+                           struct error *error) {
     *texture = (struct texture){0};
     if (image->width < 1 || image->height < 1 || image->width > IMAGE_SIZE_LIMIT ||
         image->height > IMAGE_SIZE_LIMIT) {
@@ -168,7 +173,7 @@ bool texture_create(struct texture *texture, const struct image *image, struct e
         return error_set(error, "a texture of %zux%zu pixels, more than %d texels", image->width,
                          image->height, TEXTURE_TEXEL_LIMIT);
     }
-    uint64_t count = lay_out(texture, image->width, image->height);
+    uint64_t count = lay_out(texture, image->width, image->height, limit);
     /* Another row: a place that is rounded up to the first texel behind the last one has
      * neighbours, too, which count for nothing. */
     uint64_t room = count + texture->level[0].pitch;

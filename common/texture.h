@@ -66,6 +66,10 @@ static inline size_t texture_pitch(size_t width) {
  * TEXTURE_TEXEL_LIMIT in rows that lie texture_pitch() apart. */
 bool texture_create(struct texture *texture, const struct image *image, struct error *error);
 
+/* The same with at most `limit` levels, or all where this is 0: 1 is enough to sample level 0. */
+bool texture_create_levels(struct texture *texture, const struct image *image, size_t limit,
+                           struct error *error);
+
 /* Clamp, or repeat as textures do at first. */
 void texture_set_clamp(struct texture *texture, bool clamp);
 

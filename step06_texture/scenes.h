@@ -293,7 +293,7 @@ static bool draw_checker(struct drawing *drawing, struct image *image, struct er
 
 /* ---- The program ---- */
 
-enum { MODEL_AND_COLORS = NEEDS_MODEL | NEEDS_DIFFUSE | NEEDS_DEPTH };
+enum { MODEL_AND_COLORS = NEEDS_MODEL | NEEDS_PICTURE | NEEDS_DEPTH };
 
 static const struct scene scenes[] = {
     {.name = "texture", .needs = MODEL_AND_COLORS, .draw = draw_texture},

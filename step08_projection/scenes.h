@@ -238,7 +238,7 @@ static bool make_tiles(struct texture *texture, struct error *error) {
                        color_rgb(level_from((150 + 15 * column) * part), level_from(190 * part),
                                  level_from((80 + 20 * row) * part)));
     }
-    bool done = texture_create(texture, &image, error);
+    bool done = texture_create_levels(texture, &image, 1, error);
     texture_set_clamp(texture, true);
     image_free(&image);
     return done;
@@ -411,7 +411,7 @@ static bool draw_endless(struct drawing *drawing, struct image *image, struct er
 
 /* ---- The program ---- */
 
-enum { NEEDS_VIEW = NEEDS_MODEL | NEEDS_NORMALS | NEEDS_DIFFUSE | NEEDS_DEPTH };
+enum { NEEDS_VIEW = NEEDS_MODEL | NEEDS_NORMALS | NEEDS_PICTURE | NEEDS_DEPTH };
 
 static const struct scene scenes[] = {
     {.name = "house", .number = PANELS, .width = 405, .height = 363, .draw = draw_alone},

@@ -177,6 +177,7 @@ bool model_read_parts(struct model *model, const char *path, unsigned parts, str
     bytes_free(&bytes);
     model->path = done ? string_format("%s", path) : NULL;
     done = done && (model->path != NULL || error_out_of_memory(error));
+    model->level_limit = (parts & MODEL_LEVELS) == 0;
     if (done && ((parts & (MODEL_UVS | MODEL_MATERIALS)) == 0 || read_libraries(model, error))) {
         return true;
     }
@@ -220,15 +221,18 @@ static void turn_normals(struct image *image, const int turns[3]) {
 }
 
 static bool make_texture(struct texture *texture, struct image *image, const char *path,
-                         struct error *error) {
-    bool done = texture_create(texture, image, error) || error_name_file(error, path);
+                         size_t level_limit, struct error *error) {
+    bool done =
+        texture_create_levels(texture, image, level_limit, error) || error_name_file(error, path);
     image_free(image);
     return done;
 }
 
-bool model_read_texture(struct texture *texture, const char *path, struct error *error) {
+bool model_read_texture(struct texture *texture, const char *path, size_t level_limit,
+                        struct error *error) {
     struct image image;
-    return image_read(&image, path, error) && make_texture(texture, &image, path, error);
+    return image_read(&image, path, error) &&
+           make_texture(texture, &image, path, level_limit, error);
 }
 
 /* Does a picture look like one of normals, at some of its pixels? All have a length of about 1:
@@ -274,7 +278,7 @@ bool model_read_normal_map(struct texture *texture, const char *path, const int 
     if (!named && !looks_tangent && (turns[0] != 0 || turns[1] != 0 || turns[2] != 0)) {
         turn_normals(&image, turns);
     }
-    bool done = make_texture(texture, &image, path, error);
+    bool done = make_texture(texture, &image, path, 0, error);
     texture->tangent_space = named || looks_tangent;
     texture->space_guessed = !named && looks_tangent;
     return done;
@@ -329,8 +333,9 @@ const struct texture *model_texture(struct model *model, enum model_texture_kind
         error_set(error, "no such file, nor one of another usual name");
         error_name_file(error, path);
     } else {
-        done = kind == MODEL_NORMAL_MAP ? model_read_normal_map(texture, path, model->turns, error)
-                                        : model_read_texture(texture, path, error);
+        done = kind == MODEL_NORMAL_MAP
+                   ? model_read_normal_map(texture, path, model->turns, error)
+                   : model_read_texture(texture, path, model->level_limit, error);
     }
     free(path);
     return done ? texture : NULL;

@@ -31,7 +31,8 @@ enum model_part {
     MODEL_NORMALS = 2,
     MODEL_MATERIALS = 8, /* what they say, of their colours */
     MODEL_LINES = 4,     /* a model may then consist of lines alone, with no face */
-    MODEL_ALL_PARTS = MODEL_UVS | MODEL_NORMALS /* of faces */
+    MODEL_LEVELS = 16,   /* mip levels of its textures above 0 */
+    MODEL_ALL_PARTS = MODEL_UVS | MODEL_NORMALS | MODEL_LEVELS /* of faces */
 };
 
 /* Read a file, but only the wanted parts of it, joined with |. Unwanted texture coordinates and
@@ -57,8 +58,10 @@ size_t model_textures_present(const struct model *model);
  * is next to the model. */
 bool model_has_materials(const struct model *model);
 
-/* A texture of a picture's file. The caller frees it. */
-bool model_read_texture(struct texture *texture, const char *path, struct error *error);
+/* A texture of a picture's file, with so many levels, or all where this is 0. The caller frees
+ * it. */
+bool model_read_texture(struct texture *texture, const char *path, size_t level_limit,
+                        struct error *error);
 
 /* A normal map, which says in which space it is. One in object space is turned as the model is. */
 bool model_read_normal_map(struct texture *texture, const char *path, const int turns[3],

@@ -160,11 +160,13 @@ static void add_piece(const struct frame *frame, struct block *block, const stru
                       size_t at, size_t face, size_t fan_triangle, const double depth[3]) {
     struct span columns = {batch->left[at], batch->right[at] + 1};
     struct span rows = {batch->bottom[at], batch->top[at] + 1};
-    const struct screen_place place = {columns, rows, nearest_of_depths(depth)};
-    if (is_hidden(frame, &place)) {
-        block->stats[STAT_FACES_HIDDEN]++;
-        block->stats[STAT_FACES_BEHIND]++;
-        return;
+    if (frame->round.begin > 0) {
+        const struct screen_place place = {columns, rows, nearest_of_depths(depth)};
+        if (is_behind(frame, frame->chunks, &place)) {
+            block->stats[STAT_FACES_HIDDEN]++;
+            block->stats[STAT_FACES_BEHIND]++;
+            return;
+        }
     }
     const struct band_span bands = {(uint16_t)(rows.begin / BAND_HEIGHT),
                                     (uint16_t)((rows.end - 1) / BAND_HEIGHT)};

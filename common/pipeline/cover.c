@@ -190,8 +190,9 @@ LANES_INLINE void cover_strip(const struct call_band *band, const struct box *bo
         e0 = doubles_select(within, e0, doubles_all(-INFINITY));
     }
     struct chunk *chunk = &band->chunks[(size_t)x / CHUNK_WIDTH];
-    double *depths = &chunk->depth[rows.begin - band->rows.begin][x % CHUNK_WIDTH];
-    uint32_t *numbers = &chunk->number[rows.begin - band->rows.begin][x % CHUNK_WIDTH];
+    size_t pixel = (size_t)(rows.begin - band->rows.begin) * CHUNK_WIDTH + (size_t)x % CHUNK_WIDTH;
+    double *depths = chunk->depth[0] + pixel;
+    uint32_t *numbers = chunk->number[0] + pixel;
     for (int y = rows.begin; y < rows.end; y++) {
         doubles_mask inside = mask_not_below(mask_all(), e0, box->least[0]);
         inside = mask_not_below(inside, e1, box->least[1]);
@@ -304,7 +305,7 @@ LANES_INLINE void cover_piece(struct call_band *band, uint32_t number, struct co
         band->columns = span_around(band->columns, box.columns);
         band->changed_rows = span_around(band->changed_rows, box.rows);
     }
-    int left = box.columns.begin / TOGETHER * TOGETHER;
+    int left = box.columns.begin & -TOGETHER;
     struct box_edges e = box.edges = find_box_edges(c, left, box.rows.begin);
     box.slopes = find_depth_slopes(piece, e.origin[0] + e.origin[1] + e.origin[2]);
     for (int i = 0; i < 3; i++) {

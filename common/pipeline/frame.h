@@ -139,11 +139,11 @@ struct scratch {
     bool *is_visible;      /* [number]: some pixel of the band shows the piece */
     uint32_t *visible;     /* the numbers of a draw call's visible pieces, in their order */
     uint32_t *colors;      /* [number]: of a visible piece whose shader is flat */
-    uint32_t *plane_index; /* [number]: of a visible piece of other shaders: see planes_of() */
+    uint32_t *plane_place; /* [number]: of a visible piece of other shaders, in `planes` */
     real *planes;
     struct chunk *before; /* what was visible before the piece of a shader that discards */
     size_t piece_capacity, is_visible_capacity, visible_capacity, color_capacity;
-    size_t plane_index_capacity, plane_capacity, before_capacity;
+    size_t plane_place_capacity, plane_capacity, before_capacity;
     uint64_t stats[PIPELINE_STATS];
     char apart[2 * CACHE_LINE]; /* two threads that count must not share a cache line */
 };

@@ -36,9 +36,9 @@ enum { PLANES_X0, PLANES_Y0, PLANES_FIRST, PLANE_NUMBERS = 4 };
 /* How many numbers a piece of such a shader has. */
 #define PLANES_SIZE(varying_count) (PLANES_FIRST + PLANE_NUMBERS * ((size_t)(varying_count) + 1))
 
-/* The first number of piece i; its next ones follow at distances of TOGETHER. */
-static inline const real *planes_of(const real *planes, const struct shader *shader, size_t i) {
-    return planes + i / TOGETHER * TOGETHER * PLANES_SIZE(shader->varying_count) + i % TOGETHER;
+/* The place of the first number of piece i; its next ones follow at distances of TOGETHER. */
+static inline size_t planes_place(const struct shader *shader, size_t i) {
+    return i / TOGETHER * TOGETHER * PLANES_SIZE(shader->varying_count) + i % TOGETHER;
 }
 
 static inline real plane_at(const real *planes, size_t plane, enum plane_number number) {

@@ -108,12 +108,11 @@ LANES_INLINE void fetch_planes(const struct call_band *band, const struct shader
     struct corners_together corners = {0};
     for (uint32_t i = 0; i < count; i++) {
         const struct piece *piece = uncount_hidden(band, visible[i]);
-        band->scratch->plane_index[visible[i]] = i;
+        band->scratch->plane_place[visible[i]] = (uint32_t)planes_place(shader, i);
         put_corners(band, shader, piece, &corners, i % TOGETHER);
         if (i % TOGETHER == TOGETHER - 1 || i == count - 1) {
             find_planes(&corners, shader,
-                        band->scratch->planes +
-                            i / TOGETHER * TOGETHER * PLANES_SIZE(shader->varying_count));
+                        band->scratch->planes + planes_place(shader, i / TOGETHER * TOGETHER));
         }
     }
 }
@@ -269,19 +268,17 @@ LANES_INLINE bool gather_varyings(const struct call_band *band, const struct sha
                                   const uint32_t number[LANES + 1], int x, int y, lanes *varyings) {
     struct lanes_planes planes;
     const real *all = band->scratch->planes;
-    const uint32_t *plane_index = band->scratch->plane_index;
+    const uint32_t *place = band->scratch->plane_place;
     const lanes columns = lanes_from(x);
     bool found = has_number(band, number[0]);
     clear_planes(&planes, shader);
     if (found) {
-        take_planes(&planes, 0, shader, planes_of(all, shader, plane_index[number[0]]), columns,
-                    (real)y);
+        take_planes(&planes, 0, shader, all + place[number[0]], columns, (real)y);
     }
     for (uint32_t runs = find_runs(number); runs != 0; runs &= runs - 1) {
         int first = __builtin_ctz(runs);
         if (has_number(band, number[first])) {
-            take_planes(&planes, first, shader, planes_of(all, shader, plane_index[number[first]]),
-                        columns, (real)y);
+            take_planes(&planes, first, shader, all + place[number[first]], columns, (real)y);
             found = true;
         }
     }

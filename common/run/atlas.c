@@ -105,8 +105,8 @@ bool atlas_make(struct texture *atlas, struct model *model, const uint8_t *paint
             done++;
         }
     }
-    bool made = texture_create(atlas, &image, error);
-    atlas->level_count = made; /* the others would mix faces that are no neighbours */
+    /* Other levels would mix faces that are no neighbours. */
+    bool made = texture_create_levels(atlas, &image, 1, error);
     image_free(&image);
     return made;
 }

@@ -100,11 +100,12 @@ static void multiply(struct texture *texture, const float tint[3], float zero) {
     }
 }
 
-static bool read_picture(struct picture *picture, const int *turns, struct error *why) {
+static bool read_picture(struct picture *picture, const int *turns, size_t level_limit,
+                         struct error *why) {
     struct texture *texture = &picture->texture;
     const float *tint = picture->tint;
     bool done = turns != NULL ? model_read_normal_map(texture, picture->path, turns, why)
-                              : model_read_texture(texture, picture->path, why);
+                              : model_read_texture(texture, picture->path, level_limit, why);
     bool is_tinted = tint[0] != 1 || tint[1] != 1 || tint[2] != 1;
     if (is_tinted && (turns == NULL || texture->tangent_space)) {
         multiply(texture, tint, turns != NULL ? 127.5F : 0);
@@ -142,7 +143,8 @@ static bool find_picture(struct parts *parts, const char *path, const float tint
             return true;
         }
     }
-    bool is_read = path != NULL ? read_picture(&picture, turns, why) : make_color(&picture, why);
+    bool is_read = path != NULL ? read_picture(&picture, turns, parts->level_limit, why)
+                                : make_color(&picture, why);
     if (picture.texture.space_guessed) {
         error_set(why, "blue, so it is read as a normal map in tangent space");
         error_name_file(why, path);

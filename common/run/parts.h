@@ -24,6 +24,7 @@ struct parts {
     size_t picture_count;
     bool with_normal_maps; /* set it before parts_make(), which otherwise reads none */
     bool two_sided;        /* likewise: every face is in the model twice */
+    size_t level_limit;    /* likewise: of the pictures, as the model's */
     struct texture atlas;  /* of faces that have colours and no picture; or empty */
     struct error note;     /* of the first normal map that was not read, or else was guessed */
     bool is_note_of_guess;

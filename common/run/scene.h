@@ -22,7 +22,9 @@ enum need {
     NEEDS_MODEL = 1,
     NEEDS_NORMALS = 2, /* at every corner: computed where the file has none */
     NEEDS_COLORS = 4,  /* at every position: its materials' or made of normals where it has none */
-    NEEDS_DIFFUSE = 8, /* textures next to the model; what is missing is replaced */
+    NEEDS_PICTURE = 8, /* the diffuse texture next to the model, at mip level 0 */
+    NEEDS_LEVELS = 256,
+    NEEDS_DIFFUSE = NEEDS_PICTURE | NEEDS_LEVELS, /* all its levels; what is missing is replaced */
     NEEDS_NORMAL_MAP = 16,
     NEEDS_SPECULAR = 32,
     NEEDS_DEPTH = 64, /* a depth buffer */

@@ -155,6 +155,7 @@ static unsigned needed_parts(unsigned needs) {
     unsigned textures = NEEDS_DIFFUSE | NEEDS_NORMAL_MAP | NEEDS_SPECULAR;
     return ((needs & normals) != 0 ? MODEL_NORMALS : 0) |
            ((needs & textures) != 0 ? MODEL_UVS : 0) |
+           ((needs & textures & ~(unsigned)NEEDS_PICTURE) != 0 ? MODEL_LEVELS : 0) |
            ((needs & NEEDS_COLORS) != 0 ? MODEL_MATERIALS : 0) |
            ((needs & NEEDS_LINES) != 0 ? MODEL_LINES : 0);
 }
@@ -363,6 +364,7 @@ static bool take_parts(struct run *run, unsigned needs, struct drawing *drawing,
         return true;
     }
     run->parts.two_sided = options->two_sided;
+    run->parts.level_limit = run->model->level_limit;
     run->parts.with_normal_maps =
         (needs & NEEDS_NORMAL_MAP) != 0 && options->textures[MODEL_NORMAL_MAP] == NULL;
     if (!parts_make(&run->parts, run->model, &run->replaced[MODEL_DIFFUSE], error)) {

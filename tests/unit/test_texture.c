@@ -75,6 +75,21 @@ static void test_levels(void) {
     }
 }
 
+/* As many levels as are asked for, of those that there are. */
+static void test_level_limit(void) {
+    const struct image image = random_image(5, 4, IMAGE_BGR, 256, &state);
+    for (size_t limit = 0; limit < 5; limit++) {
+        struct texture t;
+        struct error error;
+        if (CHECK(texture_create_levels(&t, &image, limit, &error))) {
+            CHECK(t.level_count == (limit == 0 || limit > 3 ? 3 : limit));
+            CHECK(t.level[t.level_count - 1].width == (size_t)5 >> (t.level_count - 1));
+            texture_free(&t);
+        }
+    }
+    free(image.pixels);
+}
+
 /* A half rounds up; white stays white at odd sizes whose sums pass 32 bits. */
 static void test_level_rounding(void) {
     struct texture t;
@@ -135,4 +150,5 @@ static void test_sizes(void) {
     }
 }
 
-UNIT_MAIN(TEST(test_pitch), TEST(test_levels), TEST(test_level_rounding), TEST(test_sizes))
+UNIT_MAIN(TEST(test_pitch), TEST(test_levels), TEST(test_level_limit), TEST(test_level_rounding),
+          TEST(test_sizes))

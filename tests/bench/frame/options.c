@@ -37,7 +37,8 @@ bool options_read(struct options *o, int argc, char **argv, struct error *error)
         {"--frames", "N", "frames that are timed of each (default 15)", read_frames, &o->frames},
         {"--threads", "N", "that draw, on both sides (default 1)", read_threads, &o->threads},
         {"--quick", "", "3 frames, at the first size, of the model as it is", be_quick, o},
-        {"--skipping", "", "only what each shortcut is worth, where much is hidden or off screen",
+        {"--skipping", "",
+         "only what each shortcut is worth, and what a frame of ever more faces does",
          argument_flag, &o->skipping},
     };
     const size_t known_count = sizeof known / sizeof known[0];

@@ -5,6 +5,7 @@
 #include "files/model_file.h"
 #include "files/normals.h"
 #include "options.h"
+#include "ours.h"
 #include "pipeline.h"
 
 #include "bench/memory.h"
@@ -147,6 +148,69 @@ static bool measure_scene(struct skipping *s, const struct scene *scene, size_t 
     return true;
 }
 
+/* ---- Work and memory ---- */
+
+static double model_bytes(const struct model *m) {
+    return (double)(m->position_count * sizeof *m->positions + m->uv_count * sizeof *m->uvs +
+                    m->normal_count * sizeof *m->normals + m->face_count * sizeof *m->faces);
+}
+
+/* Memory for positions, and for what one thread draws; but not the rest, some kilobytes. Of planes,
+ * which have room for the most varyings, those of pieces that are visible. */
+static double frame_bytes(const struct pipeline *pipeline) {
+    const struct frame *f = pipeline->frame;
+    const struct scratch *s = f->scratch;
+    size_t sum = f->position_capacity * sizeof *f->positions +
+                 f->recip_w_capacity * sizeof *f->recip_w + f->beyond_capacity +
+                 f->start_capacity * sizeof *f->band_starts + f->chunk_capacity * sizeof *f->chunks;
+    for (size_t i = 0; i < f->blocks_made; i++) {
+        const struct block *b = &f->blocks[i];
+        sum += sizeof *b + b->piece_capacity * sizeof *b->pieces +
+               b->band_capacity * sizeof *b->bands + b->sorted_capacity * sizeof *b->sorted;
+    }
+    sum += s->piece_capacity * sizeof(struct piece *) +
+           s->is_visible_capacity * sizeof *s->is_visible +
+           s->visible_capacity * sizeof *s->visible + s->color_capacity * sizeof *s->colors +
+           s->plane_place_capacity * sizeof *s->plane_place;
+    return (double)sum + (double)pipeline->stats[STAT_ATTRIBUTE_SETS] *
+                             (double)(PLANES_SIZE(3) * sizeof *s->planes);
+}
+
+/* Draw one frame of a head that is cut into ever more faces, and print what was done for it. */
+static bool print_work(const char *path, struct error *error) {
+    static const size_t triangles[] = {2500, 40000, 640000, 2560000};
+    bool done = true;
+    printf("\nWhat one frame of a head does, and the memory it takes, in MB\n"
+           "%9s %9s %11s %9s %9s %9s %9s %9s %7s %9s\n",
+           "faces", "positions", "turned away", "no pixel", "hidden", "fetched", "tested", "shaded",
+           "model", "pipeline");
+    for (size_t i = 0; done && i < sizeof triangles / sizeof triangles[0]; i++) {
+        struct frame_model head = {0};
+        struct ours ours = {0};
+        done = frame_model_read(&head, path, triangles[i], error);
+        bool textured = done && frame_look_is_possible(FRAME_GOURAUD, &head.model);
+        const struct frame_scene scene =
+            frame_scene(textured ? FRAME_GOURAUD : FRAME_FLAT, SIDE, SIDE, &head);
+        done = done && ours_load(&ours, &scene, 1, error);
+        ours.pipeline.counts_tests = true;
+        done = done && ours_draw(&ours, error);
+        const uint64_t *n = ours.pipeline.stats;
+        if (done) {
+            printf("%9zu %9zu %11zu %9zu %9zu %9zu %9zu %9zu %7.1f %9.1f\n", (size_t)n[STAT_FACES],
+                   (size_t)n[STAT_VERTICES_TRANSFORMED], (size_t)n[STAT_FACES_TURNED_AWAY],
+                   (size_t)n[STAT_FACES_WITHOUT_PIXEL], (size_t)n[STAT_FACES_HIDDEN],
+                   (size_t)n[STAT_ATTRIBUTE_SETS], (size_t)n[STAT_PIXELS_COVERED],
+                   (size_t)n[STAT_PIXELS_SHADED], 1e-6 * model_bytes(&head.model),
+                   1e-6 * frame_bytes(&ours.pipeline));
+        }
+        ours_free(&ours);
+        frame_model_free(&head);
+    }
+    return done;
+}
+
+/* ---- All of it ---- */
+
 static bool read_model(struct model *model, const char *path, struct error *error) {
     return model_read(model, path, error) && model_need_normals(model, error);
 }
@@ -182,5 +246,5 @@ bool skipping_measure(const char *model, size_t frames, struct error *error) {
     image_free(&s->image);
     pipeline_free(&s->pipeline);
     free(s);
-    return done;
+    return done && print_work(model, error);
 }

@@ -153,6 +153,39 @@ static void test_needs(void) {
                          "bare.obj");
 }
 
+/* Textures have the levels that a scene of the run needs, so far: one after the other. */
+static void test_levels(void) {
+    static const struct {
+        const char *options;
+        unsigned needs, all;
+        size_t levels;
+    } rows[] = {{"one.obj", NEEDS_PICTURE, 0, 1}, {"one.obj", NEEDS_DIFFUSE, 0, 2},
+                {"one.obj", NEEDS_PICTURE, 0, 2}, {"m.obj", NEEDS_PICTURE, 0, 1},
+                {"m.obj", NEEDS_DIFFUSE, 0, 2},   {"m.obj", NEEDS_PICTURE, NEEDS_SPECULAR, 2}};
+    struct place place = place_create();
+    struct run run = {.needs = 0};
+    char home[1000], sight[SIGHT];
+    CHECK(getcwd(home, sizeof home) != NULL && chdir(place.directory) == 0);
+    put_picture(&place, "one_diffuse.png", color_grey(5));
+    CHECK(put_text("one.obj", CORNERS FACE) &&
+          put_text("m.mtl", "newmtl a\nmap_Kd one_diffuse.png\n") &&
+          put_text("m.obj", "mtllib m.mtl\n" CORNERS "usemtl a\n" FACE));
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        const struct scene scene = {.needs = rows[i].needs};
+        struct stage stage;
+        if (i > 0 && (strcmp(rows[i].options, rows[i - 1].options) != 0 || rows[i].all != 0)) {
+            run_free(&run);
+        }
+        run.needs = rows[i].all;
+        begin(&run, &stage, &scene, rows[i].options, sight);
+        CHECK_ROW(stage.drawing.diffuse->level_count == rows[i].levels, sight);
+        stage_end(&stage);
+    }
+    run_free(&run);
+    CHECK(chdir(home) == 0);
+    place_remove(&place, "one_diffuse.png,one.obj,m.mtl,m.obj");
+}
+
 /* The colours of a face, of each corner and of the middle, as scenes sample them. */
 static void describe_face(const struct drawing *drawing, size_t face, char *text) {
     struct vec2 uv[4];
@@ -300,4 +333,5 @@ static void test_drawing(void) {
     image_free(&image);
 }
 
-UNIT_MAIN(TEST(test_needs), TEST(test_own_colors), TEST(test_many_colors), TEST(test_drawing))
+UNIT_MAIN(TEST(test_needs), TEST(test_levels), TEST(test_own_colors), TEST(test_many_colors),
+          TEST(test_drawing))
