@@ -57,19 +57,6 @@ bool text_from_utf16(struct bytes *utf8, const void *data, size_t size) {
 
 /* ---- Lines and words ---- */
 
-static int to_small(int c) {
-    return c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c;
-}
-
-bool word_begins(struct word word, const char *beginning) {
-    size_t i = 0;
-    while (i < word.length && to_small(word.start[i]) == to_small(beginning[i]) &&
-           beginning[i] != '\0') {
-        i++;
-    }
-    return beginning[i] == '\0';
-}
-
 static bool is_line_end(char c) {
     return c == '\n' || c == '\r';
 }

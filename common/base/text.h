@@ -66,8 +66,20 @@ static inline struct word word_of(const char *string) {
     return (struct word){string, strlen(string)};
 }
 
+/* Are two letters the same one, small or capital, or two other characters the same? */
+static inline bool is_same_letter(char a, char b) {
+    const char small = (char)(a | 0x20);
+    return a == b || (small == (b | 0x20) && small >= 'a' && small <= 'z');
+}
+
 /* Does the word begin like this, in small or in capital letters? */
-bool word_begins(struct word word, const char *beginning);
+static inline bool word_begins(struct word word, const char *beginning) {
+    size_t i = 0;
+    while (i < word.length && beginning[i] != '\0' && is_same_letter(word.start[i], beginning[i])) {
+        i++;
+    }
+    return beginning[i] == '\0';
+}
 
 /* Is it this string, in small or in capital letters? */
 static inline bool word_matches(struct word word, const char *string) {

@@ -121,14 +121,18 @@ static struct vec3 model_position(const struct model *model, size_t face, size_t
 
 static struct vec2 model_uv(const struct model *model, size_t face, size_t corner) {
     const uint32_t i = model->faces[face].corner[corner].uv;
-    const struct attribute a = i == MODEL_NONE ? (struct attribute){0} : model->uvs[i];
-    return (struct vec2){a.x, a.y};
+    if (i == MODEL_NONE) {
+        return (struct vec2){0};
+    }
+    return (struct vec2){model->uvs[i].x, model->uvs[i].y};
 }
 
 static struct vec3 model_normal(const struct model *model, size_t face, size_t corner) {
     const uint32_t i = model->faces[face].corner[corner].normal;
-    const struct attribute a = i == MODEL_NONE ? (struct attribute){0} : model->normals[i];
-    return (struct vec3){a.x, a.y, a.z};
+    if (i == MODEL_NONE) {
+        return (struct vec3){0};
+    }
+    return (struct vec3){model->normals[i].x, model->normals[i].y, model->normals[i].z};
 }
 
 /* @common texture bilinear model faces: */
