@@ -169,11 +169,11 @@ _Static_assert(REPEAT_LIMIT == 1000000, "the largest of REPEATS");
 
 /* What a program must have for an option to make sense: scenes that need it, or these. */
 enum condition {
-    ALWAYS = 1 << 8,
-    WITH_MODEL = 1 << 9,
-    WITH_CAMERA = 1 << 10,
-    WITH_LIGHT = 1 << 11,
-    WITH_VALUES = 1 << 12
+    ALWAYS = 1 << 16, /* above all that a scene may need */
+    WITH_MODEL = 1 << 17,
+    WITH_CAMERA = 1 << 18,
+    WITH_LIGHT = 1 << 19,
+    WITH_VALUES = 1 << 20
 };
 
 #define FIELD(name) offsetof(struct options, name)

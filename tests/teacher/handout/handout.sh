@@ -39,7 +39,7 @@ without_commands='
     { text[out] = text[out] $0 "\n" }
     END {
         for (out in text) {
-            gsub(/[ \n]+\(`make (figures|bench|bench-frame|counts|stress|prove)( STEP=[0-9]+)?`\)/, "", text[out])
+            gsub(/[ \n]+\(`make (figures|bench|bench-frame|counts|stress|prove)( STEP=[0-9]+| OPTIONS=[-a-z]+)?`\)/, "", text[out])
             gsub(/; `[a-z_]+\(\)` in `tests\/lessons\/[^`]+`/, "", text[out])
             printf "%s", text[out] >out
             close(out)
