@@ -714,7 +714,10 @@ test("the lesson's figures, by one's own program, now and after the next save", 
             copy.drawImage(canvas, 0, 0);
             return copy.getImageData(0, 0, canvas.width, canvas.height).data.filter((v, i) => i % 4 === 0 && v === 255).length;
         });
-        for (let i = 0; i < 600 && await white() === 0; i++) await page.waitForTimeout(100);
+        for (let i = 0; i < 600 && await white() === 0; i++) {
+            await figure.scrollIntoViewIfNeeded(); /* pictures above it may still arrive */
+            await page.waitForTimeout(100);
+        }
         assert.equal(await white(), 5);
         assert.match(await figure.locator('.numbers').textContent(), /E0 = \+5\.0000, inside/);
         await page.getByRole('button', {name: '(3,3)'}).click(); /* in the table above it */
