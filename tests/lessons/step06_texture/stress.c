@@ -53,7 +53,8 @@ static void draw_layers(const void *tried, struct image *image, double *depth) {
     memcpy(texels, c->texels, sizeof texels);
     struct texture texture = texture_from(texels, SIDE, SIDE);
     texture.clamp = c->clamp;
-    const struct canvas canvas = {.image = image, .depth = depth};
+    struct canvas canvas = {.image = image};
+    canvas.depth = depth;
     for (int i = 0; i < LAYER_COUNT; i++) {
         struct vertex v[3];
         for (int k = 0; k < 3; k++) {

@@ -87,11 +87,9 @@ static void make_smooth(struct random *random, uint64_t index, void *made) {
 
 static void draw_layers(const void *tried, struct image *image, double *depth) {
     const struct smooth_case *c = tried;
-    struct canvas canvas = {.image = image,
-                            .width = SCREEN_WIDTH,
-                            .height = SCREEN_HEIGHT,
-                            .depth = depth,
-                            .material = &clay};
+    struct canvas canvas = {
+        .image = image, .width = SCREEN_WIDTH, .height = SCREEN_HEIGHT, .material = &clay};
+    canvas.depth = depth;
     for (int i = 0; i < LAYER_COUNT; i++) {
         const struct fixed2 *p = c->layers.corner[i];
         struct vertex v[3];

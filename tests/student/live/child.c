@@ -21,6 +21,7 @@ enum {
     SAID_LIMIT = 16 * 1024, /* bytes of what it prints are kept */
     AT_A_TIME = 64,         /* pieces of it: who prints without end must not keep us */
     LOOK_MS = 100,          /* between two looks at its memory */
+    LONGER = 5,             /* times: where others keep the processors busy, or it sleeps */
     MEGABYTE = 1024 * 1024,
     MEMORY_LIMIT = 2000, /* megabytes */
     PIPE_SIZE = MEGABYTE /* where the system lets us: a frame comes in a few parts */
@@ -142,32 +143,45 @@ static bool has_ended(struct child *child, struct error *error) {
     return error_set(error, "ended with exit status %d", WEXITSTATUS(status));
 }
 
-/* How many megabytes it has in use, where the system says so; otherwise 0. */
-static size_t memory_in_use(const struct child *child) {
+/* A number that the system may have of it in /proc/ID/NAME; otherwise that one. */
+static double number_of(const struct child *child, const char *name, const char *format,
+                        double otherwise) {
     char path[64];
-    unsigned long pages = 0;
-    snprintf(path, sizeof path, "/proc/%ld/statm", (long)child->id);
+    double number = otherwise;
+    snprintf(path, sizeof path, "/proc/%ld/%s", (long)child->id, name);
     FILE *file = fopen(path, "r");
     if (file != NULL) {
-        pages = fscanf(file, "%*u %lu", &pages) == 1 ? pages : 0;
+        number = fscanf(file, format, &number) == 1 ? number : otherwise;
         fclose(file);
     }
-    return pages * (size_t)sysconf(_SC_PAGESIZE) / MEGABYTE;
+    return number;
+}
+
+/* How many megabytes it has in use, where the system says so; otherwise 0. */
+static double memory_in_use(const struct child *child) {
+    return number_of(child, "statm", "%*u %lf", 0) * (double)sysconf(_SC_PAGESIZE) / MEGABYTE;
+}
+
+/* For how many seconds processors worked for it, where the system says so; otherwise the time. */
+static double seconds_at_work(const struct child *child) {
+    return number_of(child, "schedstat", "%lf", 1e9 * run_now()) / 1e9;
 }
 
 /* ---- Asking ---- */
 
-/* Read some more until then. */
-static bool read_more(struct child *child, double end, struct error *error) {
+/* Has its answer taken so many seconds of a processor since then, or LONGER times as long? */
+static bool is_too_long(const struct child *child, double begun, double worked, double seconds) {
+    const double elapsed = run_now() - begun;
+    return elapsed > seconds &&
+           (elapsed > LONGER * seconds || seconds_at_work(child) - worked > 0.9 * seconds);
+}
+
+/* Read some more. */
+static bool read_more(struct child *child, struct error *error) {
     struct pollfd waited[] = {{.fd = child->output, .events = POLLIN},
                               {.fd = child->errors, .events = POLLIN}};
     static char buffer[1 << 16];
-    const double left = end - run_now();
-    if (left <= 0) {
-        child_end(child);
-        return error_set(error, "is stopped: it draws for too long; does every loop end?");
-    }
-    poll(waited, 2, 1000 * left < LOOK_MS ? (int)(1000 * left) + 1 : LOOK_MS);
+    poll(waited, 2, LOOK_MS);
     hear(child);
     if ((waited[0].revents & (POLLIN | POLLHUP)) == 0) {
         const bool is_large = memory_in_use(child) > MEMORY_LIMIT;
@@ -223,13 +237,17 @@ static bool send_request(struct child *child, const struct bytes *request, struc
 
 bool child_ask(struct child *child, const struct bytes *request, double seconds,
                struct bytes *answer, struct error *error) {
-    const double end = run_now() + seconds;
+    const double begun = run_now(), worked = seconds_at_work(child);
     if (!send_request(child, request, error)) {
         return false;
     }
     size_t length = 0;
     while (length == 0 || child->pending.size < length) {
-        if (!read_more(child, end, error)) {
+        if (is_too_long(child, begun, worked, seconds)) {
+            child_end(child);
+            return error_set(error, "is stopped: it draws for too long; does every loop end?");
+        }
+        if (!read_more(child, error)) {
             return false;
         }
         length = child->pending.size > 0 ? answer_length(&child->pending) : 0;

@@ -21,7 +21,7 @@ bool child_start(struct child *child, const char *program, const char *model,
                  struct bytes *description, struct error *error);
 
 /* Send a request, and append the whole answer. False, with a message, where the program crashes,
- * ends, takes longer than that or too much memory: then it is ended. */
+ * ends, takes longer than that (of a processor) or too much memory: then it is ended. */
 bool child_ask(struct child *child, const struct bytes *request, double seconds,
                struct bytes *answer, struct error *error);
 

@@ -718,7 +718,7 @@ test("the lesson's figures, by one's own program, now and after the next save", 
             await figure.scrollIntoViewIfNeeded(); /* pictures above it may still arrive */
             await page.waitForTimeout(100);
         }
-        assert.equal(await white(), 5);
+        assert.equal(await white(), 5, await figure.innerText());
         assert.match(await figure.locator('.numbers').textContent(), /E0 = \+5\.0000, inside/);
         await page.getByRole('button', {name: '(3,3)'}).click(); /* in the table above it */
         await figure.locator('.numbers:has-text("E0 = -2.0000, outside")').waitFor();
