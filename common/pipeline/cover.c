@@ -190,9 +190,9 @@ LANES_INLINE void cover_strip(const struct call_band *band, const struct box *bo
         e0 = doubles_select(within, e0, doubles_all(-INFINITY));
     }
     struct chunk *chunk = &band->chunks[(size_t)x / CHUNK_WIDTH];
-    size_t pixel = (size_t)(rows.begin - band->rows.begin) * CHUNK_WIDTH + (size_t)x % CHUNK_WIDTH;
-    double *depths = chunk->depth[0] + pixel;
-    uint32_t *numbers = chunk->number[0] + pixel;
+    const size_t row = (size_t)(rows.begin - band->rows.begin), column = (size_t)x % CHUNK_WIDTH;
+    double *depths = &chunk->depth[row][column];
+    uint32_t *numbers = &chunk->number[row][column];
     for (int y = rows.begin; y < rows.end; y++) {
         doubles_mask inside = mask_not_below(mask_all(), e0, box->least[0]);
         inside = mask_not_below(inside, e1, box->least[1]);

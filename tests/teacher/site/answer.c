@@ -4,7 +4,7 @@
  * files are in memory: two models, and textures, which the page loads when one is read first.
  *
  * site.sh compiles it: main() of step05_zbuffer is step05_zbuffer_main() then, LESSONS lists such
- * names, and calls of live_loop(), file_read() and file_exists() come here (--wrap).
+ * names, and calls of live_loop(), file_read(), file_exists() and file_find() come here (--wrap).
  */
 #include "base/file.h"
 #include "run/live.h"
@@ -47,6 +47,10 @@ static int find_file(const char *path) {
 
 bool __wrap_file_exists(const char *path) {
     return find_file(path) < FILE_COUNT;
+}
+
+bool __wrap_file_find(char *path) {
+    return __wrap_file_exists(path);
 }
 
 bool __wrap_file_read(const char *path, struct bytes *bytes, struct error *error) {

@@ -103,7 +103,7 @@ printf '%s\n' $lessons | xargs -P "$(getconf _NPROCESSORS_ONLN)" -I @ \
     $compile -w -I@ -Itests -Itests/lessons/@ -Dmain=@_main -DMORE_MAIN=@_main "-DLESSON=\"$work/@.c\"" \
     -c "$work/@.live.c" -o "$work/@.o" &&
     $compile -mexec-model=reactor "-DLESSONS(X)=$names" -o "$work/program" \
-        -Wl,--stack-first,-z,stack-size=1048576,-s,--wrap=live_loop,--wrap=file_read,--wrap=file_exists \
+        -Wl,--stack-first,-z,stack-size=1048576,-s,--wrap=live_loop,--wrap=file_read,--wrap=file_exists,--wrap=file_find \
         -Wl,--export=start,--export=answer,--allow-undefined \
         tests/teacher/site/answer.c "$work"/*.o common/*.c common/[bfpr]*/*.c -lm || fail 1 "cannot compile the lessons"
 textures='bust_diffuse bust_nm bust_spec' # as in answer.c

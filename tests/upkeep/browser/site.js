@@ -262,7 +262,7 @@ for (const file of pages.filter(file => /^step/.test(file) && (file.endsWith('in
                 if (value) {
                     const control = figure.locator('.panel').locator('label, .choice, .toggle').nth(
                         shows.filter(name => scene.values.some(value => value.name === name)).indexOf(name));
-                    const kind = await control.evaluate(one => one.className || one.tagName);
+                    const kind = await control.evaluate(one => one.matches('label') ? 'LABEL' : one.classList[0]);
                     const now = Number(given[name] ?? value.value), next = now < value.most ? value.most : value.least;
                     if (kind === 'LABEL') await control.locator('input').press(now < value.most ? 'End' : 'Home');
                     else if (kind === 'toggle') await control.press('Space');
