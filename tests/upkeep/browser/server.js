@@ -156,6 +156,10 @@ test('what a program prints, how it ends, what it takes, what it writes where it
     await now('char *all = malloc(3u << 30); for (long i = 0; i < 3l << 30; i += 4096) { all[i] = 1; } for (;;) { }', async () => {
         assert.match(await text(address, rows), /^error step05_zbuffer is stopped: it (uses more than 2000 MB|draws for too long)/);
     });
+    /* A program that waits, as on a busy machine, has longer than one that computes. */
+    await now('extern unsigned sleep(unsigned); static int calls; if (calls++ == 0) { sleep(3); }', async () => {
+        assert.match(await text(address, rows), /^frame 99 99/);
+    });
     await now('for (;;) { }', async () => {
         assert.match(await text(address, rows), /is stopped: it draws for too long/);
     });
