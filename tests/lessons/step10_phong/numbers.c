@@ -51,13 +51,28 @@ static struct shown called_specular_of(const double *v) {
     TEXT("10a.1", "phong(" #normal ", " #light ", ...).x",                                         \
          in_each_lane(called_diffuse_in, called_joined(xyz normal, xyz light, xyz(0, 0, 1), -1)),  \
          right)
+/* Against an r that points the other way than it should, the eye is on the other side, too: what is
+ * called shines, as it should. */
+static const double *called_facing(double *v) {
+    struct lanes3 r = reflect(called_vector_in(0, v), called_vector_in(0, v + 3));
+    struct vec3 n = xyz(v[0], v[1], v[2]), l = xyz(v[3], v[4], v[5]), eye = xyz(v[6], v[7], v[8]);
+    bool shines = 2 * vec3_dot(n, l) * vec3_dot(n, eye) - vec3_dot(l, eye) > 0;
+    double way = shines && lanes3_dot(r, lanes3_all(eye))[0] < 0 ? -1 : 1;
+    for (int i = 6; i < 9; i++) {
+        v[i] *= way;
+    }
+    return v;
+}
+
 #define SPECULAR(normal, light, eye, power, right)                                                 \
     TEXT_WITH(                                                                                     \
         "10b.3+10b.1", "phong(" #normal ", " #light ", " #eye ", " #power ", " #power ").y",       \
-        in_each_lane(called_specular_in, called_joined(xyz normal, xyz light, xyz eye, power)),    \
-        right, called_specular_of(called_joined(xyz normal, xyz light, xyz eye, power)))
+        in_each_lane(called_specular_in,                                                           \
+                     called_facing(called_joined(xyz normal, xyz light, xyz eye, power))),         \
+        right,                                                                                     \
+        called_specular_of(called_facing(called_joined(xyz normal, xyz light, xyz eye, power))))
 
-static const double *called_joined(struct vec3 a, struct vec3 b, struct vec3 c, double power) {
+static double *called_joined(struct vec3 a, struct vec3 b, struct vec3 c, double power) {
     static double v[10];
     const double all[10] = {a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z, power};
     memcpy(v, all, sizeof v);

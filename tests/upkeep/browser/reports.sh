@@ -88,7 +88,7 @@ judge_pages() {
     class_page && make -s build/compare_page &&
         (cd tests/reference/step01_line &&
             ../../../build/compare_page "$PAGES/open.html" title pixel pixel.png line.png) &&
-        node --test tests/upkeep/browser/browser.js && judge_live
+        node --test --test-reporter=spec tests/upkeep/browser/browser.js && judge_live
 }
 
 # What the server draws with.
@@ -96,14 +96,15 @@ moving_programs() {
     echo step[01]*/main.c | sed 's|\([^ ]*\)/main.c|build/moving/\1|g'
 }
 
-# Its own course, because lessons are broken and mended in it.
+# Its own course, because both break and mend lessons in it, one after the other.
 # shellcheck disable=SC2046 # one word a program
 judge_live() {
-    cp -R Makefile README.md common step* tests "$work/live" 2>/dev/null ||
-        { mkdir "$work/live" && cp -R Makefile README.md common step* tests "$work/live"; } &&
+    mkdir "$work/live" && cp -R Makefile README.md common step* tests "$work/live" &&
         (cd "$work/live" && unset MAKEFLAGS MFLAGS && make -s build/live $(moving_programs) \
             build/moving/sanitized/step05_zbuffer models >"$work/log" 2>&1) &&
-        COURSE=$work/live node --test tests/upkeep/browser/server.js tests/upkeep/browser/live.js
+        for what in server live; do
+            COURSE=$work/live node --test --test-reporter=spec "tests/upkeep/browser/$what.js" || return 1
+        done
 }
 
 # The lessons as web pages, as far as their tools are here.
@@ -111,7 +112,7 @@ judge_live() {
 judge_site() {
     make -s models $(moving_programs) && sh tests/teacher/site/site.sh build "$work/site" >"$work/log" 2>&1
     case $? in
-    0) SITE=$work/site node --test tests/upkeep/browser/site.js ;;
+    0) SITE=$work/site node --test --test-reporter=spec tests/upkeep/browser/site.js ;;
     77) skipped "the site" "$(sed 's/.*install //' "$work/log")" ;;
     *) cat "$work/log" && return 1 ;;
     esac
