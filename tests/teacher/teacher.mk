@@ -53,7 +53,7 @@ grade-merge: $(BUILD)/limited
 	@sh tests/teacher/grade/merge.sh '$(BUILD)' '$(GRADES)' '$(ROSTER)' '$(COLUMN)'
 
 # What the hidden scenes are held against.
-$(BUILD)/solutions/.built: $(STEPS:%=%/main.c) $(BUILD)/quick/libcommon.a
+$(BUILD)/solutions/.built: $(STEPS:%=%/main.c) $(BUILD)/quick/libcommon.a $(BUILD)/hidden
 	@sh tests/teacher/hidden/solutions.sh '$(@D)' '$(MAKE) -s' '$(SOLUTION)'
 	@touch $@
 

@@ -32,10 +32,12 @@
 #include "check/scenes.h"
 #include "check/unseen.h"
 
+#include "base/file.h"
 #include "files/image_file.h"
 #include "geometry.h"
 
 #include <errno.h>
+#include <inttypes.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -78,6 +80,8 @@ static const struct hidden_case cases[] = {
     {"another size", INPUT_MODEL, 2, 10, true, false, false, true},
     {"one more size", INPUT_MODEL, 2, 10, true, false, false, true},
 };
+
+enum { CASE_COUNT = sizeof cases / sizeof cases[0] };
 
 struct hidden {
     char runner[DRAWN_PATH_LIMIT]; /* what submissions are run by, or "" */
@@ -169,9 +173,10 @@ static bool build_yours(const struct hidden *hidden, const char *step, struct er
 
 /* ---- Drawing ---- */
 
-/* Both drew the same input; each picture is in its own place. */
+/* Both drew the same input. */
 struct pair {
-    struct unseen_place yours, solution;
+    struct unseen_place yours;
+    char solution[DRAWN_PATH_LIMIT]; /* the directory of its pictures */
 };
 
 /* How a program ended, and what it said. */
@@ -201,6 +206,34 @@ static bool draw(struct unseen_place *place, const char *runner, const char *pro
     }
     bytes_free(&result.messages);
     return done;
+}
+
+/* The solution's pictures of case `number`, drawn once for all programs: SOLUTIONS/STEP/drawn,
+ * where it exists, keeps them. `directory` becomes theirs; the caller ends `place` after use. */
+static bool draw_solution(const struct hidden *hidden, struct unseen_place *place, const char *step,
+                          const struct told *told, enum input_kind kind, size_t number,
+                          char *directory, struct error *error) {
+    char solutions[DRAWN_PATH_LIMIT];
+    struct ending ending;
+    snprintf(solutions, sizeof solutions, "%s/%s", hidden->solutions, step);
+    snprintf(directory, DRAWN_PATH_LIMIT, "%s/%s/drawn/%" PRIu64 ".%zu", hidden->solutions, step,
+             hidden->seed, number);
+    if (file_exists(directory)) {
+        return true;
+    }
+    if (!unseen_begin(place, error) || !draw(place, "", solutions, step, told, kind,
+                                             hidden->seed * 1000 + number, &ending, error)) {
+        return false;
+    }
+    if (!ending.well) {
+        return error_set(error, "%s: the solution does not draw %s: %s", step,
+                         number < CASE_COUNT ? cases[number].says : "a model", ending.said.text);
+    }
+    bool kept = rename(place->pictures, directory) == 0; /* nobody was first */
+    if (!kept) {
+        snprintf(directory, DRAWN_PATH_LIMIT, "%s", place->pictures);
+    }
+    return true;
 }
 
 /* ---- Judging ---- */
@@ -255,7 +288,7 @@ static void judge(struct hidden *hidden, const struct pair *pair, const struct e
                   const struct checked_item *scene, const char *says) {
     struct image solution, yours;
     struct error ignored;
-    if (drawn_read(&solution, pair->solution.pictures, picture, NULL, &ignored) != DRAWN_READ) {
+    if (drawn_read(&solution, pair->solution, picture, NULL, &ignored) != DRAWN_READ) {
         return; /* the scene does not take this input */
     }
     if (!is_secret(&solution, step->name, picture)) {
@@ -315,20 +348,15 @@ static bool find_uses(const struct hidden *hidden, const struct checked_step *st
                       struct error *error) {
     static const struct hidden_case plain = {.size = false};
     struct told told;
-    char solutions[DRAWN_PATH_LIMIT];
-    struct unseen_place place;
-    struct ending ending;
-    snprintf(solutions, sizeof solutions, "%s/%s", hidden->solutions, step->name);
-    if (!unseen_begin(&place, error)) {
-        return false;
-    }
+    char solution[DRAWN_PATH_LIMIT];
+    struct unseen_place place = {.whole = {""}};
     tell_all(&told, &plain, (unsigned)strtoul(step->name + 4, NULL, 10), hidden->seed);
     bool done =
-        draw(&place, "", solutions, step->name, &told, INPUT_MODEL, hidden->seed, &ending, error);
+        draw_solution(hidden, &place, step->name, &told, INPUT_MODEL, CASE_COUNT, solution, error);
     for (size_t i = 0; i < step->scene_count && done; i++) {
         struct image image;
         struct error ignored;
-        drawn_read(&image, place.pictures, step->items[i].scene, NULL, &ignored);
+        drawn_read(&image, solution, step->items[i].scene, NULL, &ignored);
         if (image.width > 0 && !is_left_out(step->name, step->items[i].scene)) {
             uses[i] = is_secret(&image, step->name, step->items[i].scene) ? USE_MODEL : USE_FIXED;
         }
@@ -345,15 +373,13 @@ static bool try_case(struct hidden *hidden, const struct checked_step *step, siz
     uint64_t seed = hidden->seed * 1000 + number;
     struct told told;
     struct pair pair = {.yours = {.whole = {""}}};
-    struct ending yours, solved;
-    char solutions[DRAWN_PATH_LIMIT], says[256];
-    snprintf(solutions, sizeof solutions, "%s/%s", hidden->solutions, step->name);
+    struct unseen_place solution = {.whole = {""}};
+    struct ending yours;
+    char says[256];
     tell_all(&told, hidden_case, step_number, seed);
-    bool done = unseen_begin(&pair.yours, error) && unseen_begin(&pair.solution, error) &&
-                draw(&pair.solution, "", solutions, step->name, &told, hidden_case->kind, seed,
-                     &solved, error) &&
-                (solved.well || error_set(error, "%s: the solution does not draw %s: %s",
-                                          step->name, hidden_case->says, solved.said.text)) &&
+    bool done = draw_solution(hidden, &solution, step->name, &told, hidden_case->kind, number,
+                              pair.solution, error) &&
+                unseen_begin(&pair.yours, error) &&
                 draw(&pair.yours, hidden->runner, hidden->programs, step->name, &told,
                      hidden_case->kind, seed, &yours, error);
     if (done && unseen_takes_text(step->name)) {
@@ -368,7 +394,7 @@ static bool try_case(struct hidden *hidden, const struct checked_step *step, siz
         }
     }
     unseen_end(&pair.yours);
-    unseen_end(&pair.solution);
+    unseen_end(&solution);
     return done;
 }
 
@@ -394,7 +420,7 @@ static bool try_step(struct hidden *hidden, const struct checked_step *step, str
     }
     bool done =
         build_yours(hidden, step->name, error) && (text || find_uses(hidden, step, uses, error));
-    for (size_t i = 0; i < sizeof cases / sizeof cases[0] && done; i++) {
+    for (size_t i = 0; i < CASE_COUNT && done; i++) {
         bool text_case = strcmp(input_name(cases[i].kind), "scene.txt") == 0;
         if (number >= cases[i].first && number <= cases[i].last && text == text_case) {
             done = try_case(hidden, step, i, uses, error);

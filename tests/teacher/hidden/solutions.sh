@@ -6,7 +6,8 @@
 # OUT/LESSON/LESSON becomes the program of each LESSON (all, when none is named), made of
 # SOLUTION/LESSON/main.c or, where SOLUTION is empty, of the lesson's marked source, wherever it is
 # found (tests/student/marked.sh). With --judged the lessons' own main.c are what is judged, and no
-# solution is made of them. OUT lies in the build directory; MAKE builds there.
+# solution is made of them. OUT lies in the build directory; MAKE builds there. OUT/LESSON/drawn becomes
+# an empty directory, in which hidden keeps what they draw.
 #
 # Exit status: 0 done, 2 not: a line says why.
 cd "$(dirname "$0")/../../.." || exit 2
@@ -40,7 +41,8 @@ take_solution() {
 for lesson in "$@"; do
     work=$out/$lesson
     main=$lesson/main.c
-    mkdir -p "$work" || fail 2 "cannot write into $out"
+    rm -rf "$work/drawn"
+    mkdir -p "$work/drawn" || fail 2 "cannot write into $out"
     if [ -n "$solution" ]; then
         take_solution
     elif [ -n "$judged" ]; then
