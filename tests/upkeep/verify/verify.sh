@@ -12,7 +12,7 @@
 # MAKE builds a program; STEP is 5, 05 or step05_zbuffer; PATTERN: only mistakes and programs with
 # it in their names. Works in BUILD, where the check, the library and the models must be built. As
 # many at a time as there are processors; WORKERS=1 in the environment for one, VERIFY_SHARE=0/32 to
-# 31/32 for one of 32 mistakes, correct programs and undone tasks.
+# 31/32 for one of 32 of all these programs.
 #
 # Prints each finding as it comes, with what the check said, then how many of each lesson were judged
 # rightly.
@@ -138,8 +138,7 @@ print_table() {
 find_lessons
 make_table
 if [ -n "$share" ]; then
-    awk -F '\t' -v share="$share" 'BEGIN { split(share, part, "/") }
-        $3 !~ /^(mistake|accept|undone)$/ || ++listed % part[2] == part[1]' \
+    awk -v share="$share" 'BEGIN { split(share, part, "/") } NR % part[2] == part[1] % part[2]' \
         "$work/table" >"$work/part" && mv "$work/part" "$work/table" || exit 1
 fi
 : >"$work/results"
