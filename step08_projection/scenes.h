@@ -177,33 +177,6 @@ static struct rectangle small_area(const struct image *image, int column, int ro
 
 /* ---- Part b ---- */
 
-/* The rectangles of scene viewport, in eighths of the image, and their backgrounds. */
-static const struct pane {
-    int left, bottom, right, top;
-    struct color color;
-} panes[4] = {
-    {0, 3, 5, 8, {.r = 34, .g = 44, .b = 62, .a = 255}},
-    {5, 3, 8, 8, {.r = 62, .g = 40, .b = 34, .a = 255}},
-    {0, 0, 5, 3, {.r = 36, .g = 56, .b = 40, .a = 255}},
-    {5, 0, 8, 3, {.r = 54, .g = 50, .b = 30, .a = 255}},
-};
-
-/* The same view in each pane, without perspective: only the viewport differs. */
-static bool draw_viewport(struct drawing *drawing, struct image *image, struct error *error) {
-    const int width = (int)image->width, height = (int)image->height;
-    (void)error;
-    for (const struct pane *pane = panes; pane < panes + 4; pane++) {
-        const int x = width * pane->left / 8, y = height * pane->bottom / 8;
-        const struct rectangle area = {x, y, width * pane->right / 8 - x,
-                                       height * pane->top / 8 - y};
-        struct canvas canvas = make_canvas(drawing, image, area, camera_view(drawing));
-        canvas.affine = true;
-        fill_area(image, area, pane->color);
-        draw_model(drawing, &canvas, false);
-    }
-    return true;
-}
-
 /* The head in facets of one colour; large, and small from infinitely far away. */
 static bool draw_projection(struct drawing *drawing, struct image *image, struct error *error) {
     (void)error;
@@ -272,22 +245,6 @@ static bool draw_quads(const struct canvas *canvas, const struct quad *quads, si
     return true;
 }
 
-/* Planes that cross, each of the colour of one tile. */
-static const struct quad crossing[3] = {
-    {{{-0.7, -0.6, 0.2}, {0.7, -0.6, 0.2}, {0.7, 0.6, 0.2}, {-0.7, 0.6, 0.2}},
-     {{0.0625, 0.0625}, {0.0625, 0.0625}, {0.0625, 0.0625}, {0.0625, 0.0625}}},
-    {{{-0.4, -0.3, 1.3}, {1.6, -0.9, -2}, {1.6, 0.9, -2}, {-0.4, 0.3, 1.3}},
-     {{0.8125, 0.0625}, {0.8125, 0.0625}, {0.8125, 0.0625}, {0.8125, 0.0625}}},
-    {{{-0.3, -0.4, 1.3}, {0.3, -0.4, 1.3}, {1.2, 1.4, -3}, {-1.2, 1.4, -3}},
-     {{0.3125, 0.9375}, {0.3125, 0.9375}, {0.3125, 0.9375}, {0.3125, 0.9375}}},
-};
-
-static bool draw_crossing(struct drawing *drawing, struct image *image, struct error *error) {
-    struct canvas canvas = make_canvas(drawing, image, whole_image(image), camera_clip(drawing));
-    canvas.affine = true;
-    return draw_quads(&canvas, crossing, 3, error);
-}
-
 /* ---- Part c ---- */
 
 /* A wall that leads away from the viewer, and a poster that nearly faces the viewer: there is
@@ -343,36 +300,11 @@ static bool draw_narrow(struct drawing *drawing, struct image *image, struct err
 
 /* ---- Parts d and e ---- */
 
-/* Scenes lookat, tilted and closeup, and most of above: they differ in their eye, center and up. */
+/* Scenes lookat and closeup: they differ in their eye, center and up. */
 static bool draw_view(struct drawing *drawing, struct image *image, struct error *error) {
     (void)error;
     struct canvas canvas = make_canvas(drawing, image, whole_image(image), camera_clip(drawing));
     draw_model(drawing, &canvas, false);
-    return true;
-}
-
-/* In the corners an `up` against a view that is aslant (the axis nearest to perpendicular is not
- * that of the large view, nor that of the eye's place), one that is 9 degrees off, one that is
- * almost along the view, but just not so near that it does not count, and, from the same eye, one
- * that is far from it. */
-static bool draw_above(struct drawing *drawing, struct image *image, struct error *error) {
-    static const struct {
-        struct vec3 from_center, up;
-    } small[4] = {
-        {{1.5, 1.35, 1.9}, {-1.5, -1.35, -1.9}},
-        {{1.2, 1.8, 1.5}, {0.5, 1, 1}},
-        {{0, 2.5, 0}, {2e-10, 1, 1e-10}},
-        {{0, 2.5, 0}, {0, 0, -1}},
-    };
-    draw_view(drawing, image, error);
-    for (int i = 0; i < 4; i++) {
-        struct drawing other = *drawing;
-        other.eye = vec3_add(drawing->center, small[i].from_center);
-        other.up = small[i].up;
-        struct canvas canvas =
-            make_canvas(&other, image, small_area(image, i % 2, i / 2), camera_clip(&other));
-        draw_model(&other, &canvas, false);
-    }
     return true;
 }
 
@@ -425,25 +357,10 @@ static const struct scene scenes[] = {
     {.name = "turn_move", .number = 7, .width = 400, .height = 400, .draw = draw_alone},
     {.name = "divided", .number = 8, .width = 400, .height = 400, .draw = draw_alone},
     {.name = "transforms", .draw = draw_transforms},
-    {.name = "viewport", .needs = NEEDS_VIEW, .draw = draw_viewport},
     {.name = "projection", .needs = NEEDS_VIEW, .draw = draw_projection},
-    {.name = "crossing", .needs = NEEDS_DEPTH, .draw = draw_crossing},
     {.name = "wall", .needs = NEEDS_DEPTH, .draw = draw_wall},
     {.name = "narrow", .needs = NEEDS_VIEW, .draw = draw_narrow},
     {.name = "lookat", .needs = NEEDS_VIEW, .eye = {1, 1, 2}, .draw = draw_view},
-    {.name = "tilted",
-     .needs = NEEDS_VIEW,
-     .eye = {-2, 0.5, 0.8},
-     .up = {0, 2, 1},
-     .light = {-2, 1, 1},
-     .draw = draw_view},
-    {.name = "above",
-     .needs = NEEDS_VIEW,
-     .eye = {0.1, 2.3, 0.2}, /* looks along `up`, as near as it matters */
-     .center = {0.1, 0.3, 0.2},
-     .up = {0, 1, 1e-12},
-     .light = {1, 3, 2},
-     .draw = draw_above},
     {.name = "closeup",
      .detail = true,
      .needs = NEEDS_VIEW,

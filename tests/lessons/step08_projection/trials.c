@@ -14,7 +14,46 @@ static bool try_house(struct drawing *drawing, struct image *image, struct error
     return true;
 }
 
-/* Two faces that must not be seen, on a screen far larger than the image: NDC 0 is pixel 0, and NDC
+/* ---- Part b: viewport and crossing ---- */
+
+/* Panes, in eighths of the image, and their backgrounds. */
+static const struct try_pane {
+    int left, bottom, right, top;
+    struct color color;
+} try_panes[4] = {
+    {0, 3, 5, 8, {.r = 34, .g = 44, .b = 62, .a = 255}},
+    {5, 3, 8, 8, {.r = 62, .g = 40, .b = 34, .a = 255}},
+    {0, 0, 5, 3, {.r = 36, .g = 56, .b = 40, .a = 255}},
+    {5, 0, 8, 3, {.r = 54, .g = 50, .b = 30, .a = 255}},
+};
+
+/* The same view in each pane, without perspective: only the viewport differs. */
+static bool try_viewport(struct drawing *drawing, struct image *image, struct error *error) {
+    const int width = (int)image->width, height = (int)image->height;
+    (void)error;
+    for (const struct try_pane *pane = try_panes; pane < try_panes + 4; pane++) {
+        const int x = width * pane->left / 8, y = height * pane->bottom / 8;
+        const struct rectangle area = {x, y, width * pane->right / 8 - x,
+                                       height * pane->top / 8 - y};
+        struct canvas canvas = make_canvas(drawing, image, area, camera_view(drawing));
+        canvas.affine = true;
+        fill_area(image, area, pane->color);
+        draw_model(drawing, &canvas, false);
+    }
+    return true;
+}
+
+/* Planes that cross, each of the colour of one tile. */
+static const struct quad try_planes[3] = {
+    {{{-0.7, -0.6, 0.2}, {0.7, -0.6, 0.2}, {0.7, 0.6, 0.2}, {-0.7, 0.6, 0.2}},
+     {{0.0625, 0.0625}, {0.0625, 0.0625}, {0.0625, 0.0625}, {0.0625, 0.0625}}},
+    {{{-0.4, -0.3, 1.3}, {1.6, -0.9, -2}, {1.6, 0.9, -2}, {-0.4, 0.3, 1.3}},
+     {{0.8125, 0.0625}, {0.8125, 0.0625}, {0.8125, 0.0625}, {0.8125, 0.0625}}},
+    {{{-0.3, -0.4, 1.3}, {0.3, -0.4, 1.3}, {1.2, 1.4, -3}, {-1.2, 1.4, -3}},
+     {{0.3125, 0.9375}, {0.3125, 0.9375}, {0.3125, 0.9375}, {0.3125, 0.9375}}},
+};
+
+/* Two more faces, which must not be seen, on a screen far larger than the image: NDC 0 is pixel 0, and NDC
  * 1 is pixel 2^22. One corner is too far for the screen, one has no finite depth. */
 static bool try_crossing(struct drawing *drawing, struct image *image, struct error *error) {
     const int side = 1 << 22;
@@ -32,9 +71,37 @@ static bool try_crossing(struct drawing *drawing, struct image *image, struct er
           {200 * pixel, 600 * pixel, 1e308}},
          {{0.5625, 0.0625}, {0.5625, 0.0625}, {0.5625, 0.0625}, {0.5625, 0.0625}}},
     };
-    struct canvas canvas = make_canvas(drawing, image, area, mat4_scaling((struct vec3){1, 1, 10}));
-    canvas.affine = true;
-    return draw_crossing(drawing, image, error) && draw_quads(&canvas, nowhere, 2, error);
+    struct canvas canvas = make_canvas(drawing, image, whole_image(image), camera_clip(drawing));
+    struct canvas large = make_canvas(drawing, image, area, mat4_scaling((struct vec3){1, 1, 10}));
+    canvas.affine = large.affine = true;
+    return draw_quads(&canvas, try_planes, 3, error) && draw_quads(&large, nowhere, 2, error);
+}
+
+/* ---- Parts d and e: above and closeup ---- */
+
+/* In the corners an `up` against a view that is aslant (the axis nearest to perpendicular is not
+ * that of the large view, nor that of the eye's place), one that is 9 degrees off, one that is
+ * almost along the view, but just not so near that it does not count, and, from the same eye, one
+ * that is far from it. */
+static bool try_above(struct drawing *drawing, struct image *image, struct error *error) {
+    static const struct {
+        struct vec3 from_center, up;
+    } small[4] = {
+        {{1.5, 1.35, 1.9}, {-1.5, -1.35, -1.9}},
+        {{1.2, 1.8, 1.5}, {0.5, 1, 1}},
+        {{0, 2.5, 0}, {2e-10, 1, 1e-10}},
+        {{0, 2.5, 0}, {0, 0, -1}},
+    };
+    draw_view(drawing, image, error);
+    for (int i = 0; i < 4; i++) {
+        struct drawing other = *drawing;
+        other.eye = vec3_add(drawing->center, small[i].from_center);
+        other.up = small[i].up;
+        struct canvas canvas =
+            make_canvas(&other, image, small_area(image, i % 2, i / 2), camera_clip(&other));
+        draw_model(&other, &canvas, false);
+    }
+    return true;
 }
 
 /* With --no-skip faces beyond a side of the view are drawn, too, and all faces go through all
@@ -58,10 +125,28 @@ static bool try_closeup(struct drawing *drawing, struct image *image, struct err
 
 static const struct scene trials[] = {
     {.name = "house", .draw = try_house},
-    {.name = "crossing", .draw = try_crossing},
+    {.name = "viewport", .needs = NEEDS_VIEW, .draw = try_viewport},
+    {.name = "crossing", .needs = NEEDS_DEPTH, .draw = try_crossing},
+    {
+        .name = "tilted",
+        .needs = NEEDS_VIEW,
+        .eye = {-2, 0.5, 0.8},
+        .up = {0, 2, 1},
+        .light = {-2, 1, 1},
+        .draw = draw_view,
+    },
+    {
+        .name = "above",
+        .needs = NEEDS_VIEW,
+        .eye = {0.1, 2.3, 0.2}, /* looks along `up`, as near as it matters */
+        .center = {0.1, 0.3, 0.2},
+        .up = {0, 1, 1e-12},
+        .light = {1, 3, 2},
+        .draw = try_above,
+    },
     {.name = "closeup", .draw = try_closeup},
     /* Not square, and odd: a square or a large picture hides some mistakes. */
-    {.name = "wide", .needs = NEEDS_VIEW, .width = 203, .height = 67, .draw = draw_viewport},
+    {.name = "wide", .needs = NEEDS_VIEW, .width = 203, .height = 67, .draw = try_viewport},
     {
         .name = "high",
         .needs = NEEDS_VIEW,
