@@ -101,24 +101,12 @@ static void make_parts(struct cell cells[4]) {
     cells[2].material.ambient = cells[2].material.diffuse = 0;
 }
 
-static bool draw_parts(struct drawing *drawing, struct image *image, struct error *error) {
-    struct cell cells[4];
-    make_parts(cells);
-    return draw_cells(drawing, image, cells, 2, 2, 0.8, error);
-}
-
 /* Four powers of one light, which comes from the side and from behind. */
 static void make_shine(struct cell cells[4]) {
     static const int powers[] = {0, 2, 40, 80};
     for (int i = 0; i < 4; i++) {
         cells[i] = plain_cell(powers[i]);
     }
-}
-
-static bool draw_shine(struct drawing *drawing, struct image *image, struct error *error) {
-    struct cell cells[4];
-    make_shine(cells);
-    return draw_cells(drawing, image, cells, 2, 2, 0.8, error);
 }
 
 /* Phong alone, with the normal map, with the texture, and with both. */
@@ -129,9 +117,14 @@ static void make_four(struct cell cells[4]) {
     cells[3] = (struct cell){&full, textured_material, NULL, NULL};
 }
 
-static bool draw_four(struct drawing *drawing, struct image *image, struct error *error) {
+/* By the numbers of scenes with four heads. */
+enum { FOUR, PARTS, SHINE };
+static void (*const make_heads[])(struct cell cells[4]) = {
+    [FOUR] = make_four, [PARTS] = make_parts, [SHINE] = make_shine};
+
+static bool draw_heads(struct drawing *drawing, struct image *image, struct error *error) {
     struct cell cells[4];
-    make_four(cells);
+    make_heads[drawing->number](cells);
     return draw_cells(drawing, image, cells, 2, 2, 0.8, error);
 }
 
@@ -237,11 +230,11 @@ static const struct scene scenes[] = {
         .light = {-1, 0.5, 0.4}, /* from the side: a part of what is seen is dark */
         .draw = draw_matt,
     },
-    {.name = "parts", .needs = MESH, .draw = draw_parts},
+    {.name = "parts", .needs = MESH, .number = PARTS, .draw = draw_heads},
     /* What is turned away from this light must not shine. */
-    {.name = "shine", .needs = MESH, .light = {-1, 0.6, -0.2}, .draw = draw_shine},
-    {.name = "four", .needs = MAPPED_MESH, .draw = draw_four},
-    {.name = "behind", .needs = MAPPED_MESH, .light = {-2, 2, -3}, .draw = draw_four},
+    {.name = "shine", .needs = MESH, .number = SHINE, .light = {-1, 0.6, -0.2}, .draw = draw_heads},
+    {.name = "four", .needs = MAPPED_MESH, .draw = draw_heads},
+    {.name = "behind", .needs = MAPPED_MESH, .light = {-2, 2, -3}, .draw = draw_heads},
     {.name = "powers", .needs = MAPPED_MESH | NEEDS_SPECULAR, .draw = draw_powers},
     {
         .name = "near",

@@ -29,18 +29,11 @@ static void live_notes(struct drawing *drawing, const struct image *image, const
 
 /* ---- Scenes ---- */
 
-static bool live_parts(struct drawing *drawing, struct image *image, struct error *error) {
+static bool live_heads(struct drawing *drawing, struct image *image, struct error *error) {
     struct cell cells[4];
-    make_parts(cells);
+    make_heads[drawing->number](cells);
     live_notes(drawing, image, cells, 2, 2, 0.8);
-    return draw_parts(drawing, image, error);
-}
-
-static bool live_shine(struct drawing *drawing, struct image *image, struct error *error) {
-    struct cell cells[4];
-    make_shine(cells);
-    live_notes(drawing, image, cells, 2, 2, 0.8);
-    return draw_shine(drawing, image, error);
+    return draw_heads(drawing, image, error);
 }
 
 static const struct scene_value live_four_values[] = {
@@ -76,8 +69,8 @@ static bool live_near(struct drawing *drawing, struct image *image, struct error
 }
 
 static const struct scene live[] = {
-    {.name = "parts", .draw = live_parts},
-    {.name = "shine", .draw = live_shine},
+    {.name = "parts", .draw = live_heads},
+    {.name = "shine", .draw = live_heads},
     {.name = "four", .values = live_four_values, .draw = live_four},
     {.name = "behind", .values = live_four_values, .draw = live_four},
     {.name = "near", .draw = live_near},

@@ -51,7 +51,7 @@ static const struct scene trials[] = {
         .needs = MAPPED_MESH,
         .width = 203,
         .height = 67,
-        .draw = draw_four,
+        .draw = draw_heads,
     },
     {
         .name = "high",
@@ -59,7 +59,7 @@ static const struct scene trials[] = {
         .needs = MAPPED_MESH,
         .width = 61,
         .height = 181,
-        .draw = draw_four,
+        .draw = draw_heads,
     },
     {
         .name = "small",
