@@ -91,10 +91,6 @@ struct shader {
      * Lanes that are unset in the returned mask are discarded: only a shader that `discards` may do
      * that, others return lanes_all_set(). */
     lanes_mask (*fragment)(const void *uniforms, const lanes *varyings, lanes_texel *color);
-    /* Or NULL: change the varyings before `fragment` gets them, and add some behind the last one,
-     * up to VARYING_LIMIT. It is called for many pixels before the first of them is shaded, so that
-     * the processor knows early which texels it must wait for: see texture_locate(). */
-    void (*prepare)(const void *uniforms, lanes *varyings);
     bool flat; /* the whole face has the varyings of corner 0: nothing is interpolated */
     bool discards;
     /* The loops over pixels that SHADER() compiles for this shader alone. NULL: loops that call the

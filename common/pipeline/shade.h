@@ -117,14 +117,6 @@ LANES_INLINE void fetch_planes(const struct call_band *band, const struct shader
     }
 }
 
-/* Make of the interpolated varyings what the fragment function gets. */
-LANES_INLINE void prepare_varyings(const struct call_band *band, const struct shader *shader,
-                                   lanes *varyings) {
-    if (shader->prepare != NULL) {
-        shader->prepare(band->uniforms, varyings);
-    }
-}
-
 /* Does the shader give a whole piece one colour? (One that discards decides at each pixel.) */
 LANES_INLINE bool has_colors(const struct shader *shader) {
     return shader->flat && !shader->discards;
@@ -148,7 +140,6 @@ LANES_INLINE void fetch_colors(const struct call_band *band, const struct shader
             }
         }
         memcpy(varyings, values, sizeof varyings);
-        prepare_varyings(band, shader, varyings);
         shader->fragment(band->uniforms, varyings, &colors);
         for (uint32_t i = 0; i < some; i++) {
             band->scratch->colors[visible[first + i]] = lanes_texel_at(colors, (int)i);
@@ -345,8 +336,8 @@ LANES_INLINE void shade_pixels(const struct call_band *band, const struct shader
     write_lanes(band->frame->image, pixels->x, pixels->y, color, drawn);
 }
 
-/* Shade the draw call's pixels in LANES columns of the band. All of them are gathered and prepared
- * before the first is shaded: a processor predicts badly how many runs there are, and when it was
+/* Shade the draw call's pixels in LANES columns of the band. All of them are gathered before the
+ * first is shaded: a processor predicts badly how many runs there are, and when it was
  * wrong it would drop the reads of texels that it had begun. (A piece of one colour reads none, so
  * its pixels are shaded at once, in 0.94 of the time of a frame.) Returns the pixels of each
  * column. */
@@ -369,9 +360,6 @@ LANES_INLINE lanes_int shade_columns(const struct call_band *band, const struct 
         }
         number += CHUNK_WIDTH;
         touched >>= 1;
-    }
-    for (int i = 0; i < count; i++) {
-        prepare_varyings(band, shader, pixels[i].varyings);
     }
     for (int i = 0; i < count; i++) {
         shade_pixels(band, shader, &pixels[i]);

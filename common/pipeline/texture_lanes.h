@@ -131,27 +131,4 @@ LANES_INLINE struct lanes3 texture_lanes(const struct texture *texture, struct l
     return texels_mix(&texels);
 }
 
-/* ---- Ahead of time: for shader->prepare ---- */
-
-/* The first half of a bilinear sample, for a shader's prepare function. The texture coordinates u
- * and v become the distances of the place from its lower left texel to the right and up, 0 to 1;
- * `index` becomes this texel's place in memory. */
-LANES_INLINE void texture_locate(const struct texture *texture, size_t level, lanes *u, lanes *v,
-                                 lanes *index) {
-    struct texel_place place = texture_find(texture_level_of(texture, level), *u, *v);
-    *u = place.across;
-    *v = place.along;
-    memcpy(index, &place.bytes, sizeof place.bytes);
-}
-
-/* The second half, for its fragment function, with the same texture and level: the sample
- * itself. */
-LANES_INLINE struct lanes3 texture_located(const struct texture *texture, size_t level, lanes u,
-                                           lanes v, const lanes *index) {
-    struct texel_place place = {.across = u, .along = v};
-    memcpy(&place.bytes, index, sizeof place.bytes);
-    struct texels texels = texels_fetch(texture_level_of(texture, level), &place);
-    return texels_mix(&texels);
-}
-
 #endif

@@ -35,18 +35,12 @@ static void gouraud_vertex(const void *uniforms, size_t face, size_t corner, dou
     varyings[2] = uv.y;
 }
 
-static void gouraud_prepare(const void *uniforms, lanes *varyings) {
-    const struct frame_texture *diffuse =
-        &((const struct frame_scene *)uniforms)->textures[MODEL_DIFFUSE];
-    texture_locate(diffuse->texture, diffuse->level, &varyings[1], &varyings[2], &varyings[3]);
-}
-
 static lanes_mask gouraud_fragment(const void *uniforms, const lanes *varyings,
                                    lanes_texel *color) {
     const struct frame_texture *diffuse =
         &((const struct frame_scene *)uniforms)->textures[MODEL_DIFFUSE];
-    struct lanes3 rgb =
-        texture_located(diffuse->texture, diffuse->level, varyings[1], varyings[2], &varyings[3]);
+    struct lanes2 uv = {varyings[1], varyings[2]};
+    struct lanes3 rgb = texture_lanes(diffuse->texture, uv, diffuse->level);
     *color = lanes_rgb(rgb.x * varyings[0], rgb.y * varyings[0], rgb.z * varyings[0]);
     return lanes_all_set();
 }
@@ -92,8 +86,7 @@ static lanes_mask phong_fragment(const void *uniforms, const lanes *varyings, la
 }
 
 SHADER(flat, .varying_count = 1, .flat = true, .vertex = flat_vertex, .fragment = flat_fragment);
-SHADER(gouraud, .varying_count = 3, .vertex = gouraud_vertex, .prepare = gouraud_prepare,
-       .fragment = gouraud_fragment);
+SHADER(gouraud, .varying_count = 3, .vertex = gouraud_vertex, .fragment = gouraud_fragment);
 SHADER(phong, .varying_count = 5, .vertex = phong_vertex, .fragment = phong_fragment);
 
 static const struct shader *const shaders[FRAME_LOOKS] = {

@@ -178,43 +178,6 @@ static void test_object_too_large_to_judge(void) {
 
 /* ---- Varyings ---- */
 
-/* What is prepared is so once, whichever way the pixels are shaded. */
-static void add_five(const void *uniforms, lanes *varyings) {
-    (void)uniforms;
-    varyings[1] = 2 * varyings[0];
-    varyings[0] += 5;
-}
-
-static lanes_mask prepared_fragment(const void *uniforms, const lanes *varyings,
-                                    lanes_texel *color) {
-    (void)uniforms;
-    *color = lanes_rgb(varyings[0], varyings[1], lanes_all(7));
-    return lanes_all_set();
-}
-
-SHADER(prepared, .varying_count = 1, .vertex = number_vertex, .prepare = add_five,
-       .fragment = prepared_fragment);
-SHADER(prepared_flat, .varying_count = 1, .flat = true, .vertex = number_vertex,
-       .prepare = add_five, .fragment = prepared_fragment);
-SHADER(prepared_discarding, .varying_count = 1, .vertex = number_vertex, .prepare = add_five,
-       .fragment = prepared_fragment, .discards = true);
-
-static void test_prepared(void) {
-    static struct mesh mesh;
-    static const struct shader *const shaders[] = {&prepared, &prepared_flat, &prepared_discarding};
-    make_cover(&mesh, 1);
-    for (int i = 0; i < 6; i++) {
-        size_t wrong = 0;
-        draw_alone(&mesh, place_is_xyw, shaders[i / 2], i % 2);
-        for (int pixel = 0; pixel < SIZE * SIZE; pixel++) {
-            struct color c = image_get(&target.image, pixel % SIZE, pixel / SIZE);
-            wrong += c.r != 6 || c.g != 2 || c.b != 7;
-        }
-        CHECK(wrong == 0);
-        target_free(&target);
-    }
-}
-
 static void byte_vertex(const void *uniforms, size_t face, size_t corner, double *varyings) {
     (void)face, (void)corner;
     varyings[0] = *(const uint8_t *)uniforms;
@@ -499,7 +462,7 @@ static void test_errors(void) {
     pipeline_free(&pipeline);
 }
 
-UNIT_MAIN(TEST(test_face_past_a_corner), TEST(test_object_too_large_to_judge), TEST(test_prepared),
+UNIT_MAIN(TEST(test_face_past_a_corner), TEST(test_object_too_large_to_judge),
           TEST(test_uniforms_of_a_byte), TEST(test_cut_from_any_corner),
           TEST(test_cut_from_both_ends), TEST(test_nearest_w), TEST(test_depth_overflows),
           TEST(test_scale_of_clip_space), TEST(test_grid_cell), TEST(test_not_finite),
