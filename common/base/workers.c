@@ -5,7 +5,6 @@
 #include "base/platform.h"
 
 #include <stdlib.h>
-#include <time.h>
 
 #if defined(_POSIX_THREADS) && _POSIX_THREADS > 0 && !defined(__wasi__)
 
@@ -14,11 +13,6 @@
 #include <stdbool.h>
 
 enum { THREAD_LIMIT = 256 };
-
-/* A frame is several loops, some microseconds apart: to fall asleep and be woken up takes longer.
- * So who waits stays awake for this many nanoseconds first. (Without sched_yield(), after which
- * busy processes of others run for milliseconds.) */
-enum { PATIENCE = 50000 };
 
 /* A worker's share of a loop: parts that lie side by side, done in turn, by whoever comes. */
 struct share {
@@ -39,9 +33,9 @@ struct workers {
     worker_function *work;
     void *context;
     struct share share[THREAD_LIMIT]; /* of each worker */
-    atomic_ulong loop;            /* its number, which tells a thread whether it knows it already */
-    bool open;                    /* threads may still join */
-    atomic_ulong threads_at_work; /* without the one that calls */
+    unsigned long loop;     /* its number, which tells a thread whether it knows it already */
+    bool open;              /* threads may still join */
+    size_t threads_at_work; /* without the one that calls */
 };
 
 /* First its own share, then what the others have not begun. So in every loop, and in every frame, a
@@ -58,21 +52,7 @@ static void do_parts(struct workers *workers, size_t worker) {
     }
 }
 
-static long long nanoseconds_since(const struct timespec *since) {
-    struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return (now.tv_sec - since->tv_sec) * 1000000000LL + now.tv_nsec - since->tv_nsec;
-}
-
-/* Stay awake until the number is that, but not for long. */
-static void wait_awake(const atomic_ulong *number, unsigned long wanted) {
-    struct timespec since;
-    clock_gettime(CLOCK_MONOTONIC, &since);
-    while (atomic_load(number) != wanted && nanoseconds_since(&since) < PATIENCE) {
-    }
-}
-
-/* A thread's life: sleep until a loop begins, help, wait a little for the next one, sleep. */
+/* A thread's life: sleep until a loop begins, help, sleep. */
 static void *thread_main(void *argument) {
     struct workers *workers = argument;
     unsigned long known = 0;
@@ -92,9 +72,6 @@ static void *thread_main(void *argument) {
         if (workers->threads_at_work == 0) {
             pthread_cond_signal(&workers->last_leaves);
         }
-        pthread_mutex_unlock(&workers->mutex);
-        wait_awake(&workers->loop, known + 1);
-        pthread_mutex_lock(&workers->mutex);
     }
     pthread_mutex_unlock(&workers->mutex);
     return NULL;
@@ -166,9 +143,6 @@ static void run_shared(struct workers *workers, size_t count, worker_function *w
     do_parts(workers, 0);
     pthread_mutex_lock(&workers->mutex);
     workers->open = false; /* a thread that wakes only now is late */
-    pthread_mutex_unlock(&workers->mutex);
-    wait_awake(&workers->threads_at_work, 0);
-    pthread_mutex_lock(&workers->mutex);
     while (workers->threads_at_work > 0) {
         pthread_cond_wait(&workers->last_leaves, &workers->mutex);
     }

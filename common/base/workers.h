@@ -1,10 +1,9 @@
 /*
  * Loops shared out among threads that sleep while there is nothing to do.
  *
- * A busy machine is the normal case: a grading job, a laptop in class. So no thread waits awake for
- * more than 50 microseconds, and a loop never waits for a thread that the machine has not woken
- * yet: the calling thread does the rest. What a loop computes must not depend on which thread does
- * which part.
+ * A busy machine is the normal case: a grading job, a laptop in class. So no thread waits awake,
+ * and a loop never waits for a thread that the machine has not woken yet: the calling thread does
+ * the rest. What a loop computes must not depend on which thread does which part.
  *
  * Each worker begins with its own share, parts next to each other, the same ones in each loop
  * of as many parts: what it has written or read in one is often still in its cache in the next.
