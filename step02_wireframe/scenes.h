@@ -2,7 +2,8 @@
 
 /* ---- Scene: points ---- */
 
-/* Far outside an image of 256x128, but near enough: the last three exactly at LINE_LIMIT. */
+/* Positions far outside an image of 256x128, but near enough to draw to; the last three are exactly
+ * at LINE_LIMIT. */
 enum { FAR_POSITIONS = 6, FAR_WIDTH = 256, FAR_HEIGHT = 128 };
 static const struct vec3 far_positions[FAR_POSITIONS] = {
     {4e6, 0, 0},         {0, -5e6, 0},    {-4e6, 5e6, 0},
@@ -16,7 +17,7 @@ static void draw_box(struct image *image, int index, struct color color) {
     }
 }
 
-/* A box for each of these that has a pixel, and the pixels of the model's positions. */
+/* Draw a box for each far position that has a pixel, then the pixels of the model's positions. */
 static bool draw_points(struct drawing *drawing, struct image *image, struct error *error) {
     (void)error;
     struct pixel p;
@@ -40,8 +41,8 @@ struct wireframe {
     size_t side_count;
 };
 
-/* List all sides of a model and, behind these, the lines of its file; there is room for one more.
- * The caller frees them. */
+/* List all sides of a model, then the lines of its file. The list has room for one more, and the
+ * caller frees it. */
 static bool wireframe_create(struct wireframe *wireframe, const struct model *model,
                              struct error *error) {
     const size_t of_faces = 3 * model->face_count;
@@ -58,7 +59,7 @@ static bool wireframe_create(struct wireframe *wireframe, const struct model *mo
     return true;
 }
 
-/* What lies at (x,y) of the model comes to the middle of the image, `scale` times as large. */
+/* The model's point (x,y) comes to the middle of the image, `scale` times as large. */
 struct view {
     double x, y, scale;
 };
@@ -91,7 +92,7 @@ static void draw_sides(struct drawing *drawing, const struct wireframe *wirefram
     drawing_count(drawing, "lines_drawn", lines);
 }
 
-/* Each side once: with line() in part a, so that part b can't spoil its pictures. */
+/* Draw each side once. Scenes of part a use line(), so that part b can't spoil their pictures. */
 static bool draw_model(struct drawing *drawing, const struct model *model, struct view view,
                        line_function *draw, struct image *image, struct error *error) {
     struct wireframe wireframe;
@@ -122,12 +123,6 @@ static bool draw_border(struct drawing *drawing, struct image *image, struct err
     return draw_model(drawing, &part, (struct view){0.26, 0.1, 2.4}, line, image, error);
 }
 
-/* One side of the face, six times as large: most of the model lies outside. */
-static bool draw_enlarged(struct drawing *drawing, struct image *image, struct error *error) {
-    return draw_model(drawing, drawing->model, (struct view){0.08, 0.42, 6}, line_inside, image,
-                      error);
-}
-
 /* ---- Scenes: cut and walked ---- */
 
 enum { CUT_WIDTH = 160, CUT_HEIGHT = 100, RIGHT = CUT_WIDTH - 1, TOP = CUT_HEIGHT - 1 };
@@ -139,9 +134,10 @@ static const struct color line_colors[] = {
     [BLUE] = {255, 160, 96, 255},
 };
 
-/* Lines along the edges of the image (green), below the others; lines that leave it on every side,
- * end on its outermost pixels, come half-way between two pixels there, or never come in. The last
- * two are those of scene `walked` alone: for an image of 300x3, and the longest line allowed. */
+/* The green lines run along the edges of the image. The others are drawn over them: they leave the
+ * image on every side, end on its outermost pixels, enter it half-way between two pixels, or miss
+ * it. The last two are in scene `walked` alone: one in an image of 300x3, and the longest line
+ * allowed. */
 static const struct cut_line {
     struct pixel a, b;
     enum line_color color;
@@ -199,7 +195,7 @@ static bool draw_cut(struct drawing *drawing, struct image *image, struct error 
     return true;
 }
 
-/* A bar for each line, as long as its part in the image, from the top down. */
+/* Draw a bar for each line, from the top down, as long as the line's part in the image. */
 static bool draw_walked(struct drawing *drawing, struct image *image, struct error *error) {
     (void)drawing, (void)error;
     for (int i = 0; i < WALKED_LINES; i++) {
@@ -214,6 +210,14 @@ static bool draw_walked(struct drawing *drawing, struct image *image, struct err
         }
     }
     return true;
+}
+
+/* ---- Scene: enlarged ---- */
+
+/* One side of the face, six times as large: most of the model lies outside. */
+static bool draw_enlarged(struct drawing *drawing, struct image *image, struct error *error) {
+    return draw_model(drawing, drawing->model, (struct view){0.08, 0.42, 6}, line_inside, image,
+                      error);
 }
 
 /* ---- The program ---- */

@@ -68,8 +68,8 @@ static bool draw_signs(struct drawing *drawing, struct image *image, struct erro
 
 /* ---- Filling ---- */
 
-/* In one colour. With --no-skip the edges are asked at every pixel of the rows, so that they can be
- * seen before there are spans. */
+/* Fill a triangle with one colour. --no-skip asks the edges at every pixel of the rows, so that you
+ * see them before you have written spans. */
 static uint64_t fill_triangle(const struct drawing *drawing, struct image *image,
                               const struct fixed2 corner[3], struct color color) {
     struct edges edges;
@@ -119,7 +119,7 @@ static void face_on_screen(const struct model *model, size_t face, const struct 
 
 enum { FACES, BUST };
 
-/* The faces that show their front: `faces` by spans, `bust` by three signs. */
+/* Draw the faces that show their front: `faces` by spans, `bust` by three signs. */
 static bool draw_faces(struct drawing *drawing, struct image *image, struct error *error) {
     (void)error;
     for (size_t face = 0; face < drawing->model->face_count; face++) {
@@ -266,7 +266,7 @@ static const struct text_scene_shape colored_triangles[] = {
     {{340, 440, 390}, {700, 700, 1000}, {{RED}, {GREEN}, {WHITE}}},
 };
 
-/* In one colour, or in one that runs from corner to corner. */
+/* Fill a shape with one colour, or with a mixture of its corners' colours. */
 static void fill_shape(struct drawing *drawing, struct image *image, const struct fixed2 corner[3],
                        const struct color color[3]) {
     const bool one_color = memcmp(&color[0], &color[1], 2 * sizeof color[0]) == 0;

@@ -11,7 +11,7 @@ enum {
     ROWS_STRIP = 40
 };
 
-/* The segment itself, three pixels thick. */
+/* Draw the segment in its plane, three pixels thick. */
 static void draw_plane_line(const struct segment *s, struct image *image) {
     for (int shift = -1; shift <= 1; shift++) {
         const int bottom = ROWS_PLANE_BOTTOM + shift;
@@ -25,7 +25,7 @@ static void draw_plane_line(const struct segment *s, struct image *image) {
     }
 }
 
-/* A row is shown as a strip, many times one above the other. */
+/* Draw one column of a strip, which shows a row of pixels many times, one above the other. */
 static void draw_strip(struct image *image, int x, int bottom, struct color color) {
     for (int y = bottom; y < bottom + ROWS_STRIP; y++) {
         image_set(image, x, y, color);
@@ -45,8 +45,8 @@ static void draw_segments(const struct segment *segments, size_t count, struct i
     }
 }
 
-/* Three that cross, and short ones: two far away, one of them hidden; the others reach beyond the
- * sides, and of the last two, which are as near as each other, the first is seen. */
+/* Three long segments that cross. Of the short ones two are far away, and one hides the other; the
+ * rest reach beyond the sides. The last two are equally near, so the first of them is seen. */
 static const struct segment rows_segments[] = {
     {{20.5, 34}, {744.5, 400}, {.r = 255, .a = 255}},
     {{120.7, 434}, {444.8, 400}, {.g = 255, .a = 255}},
@@ -113,7 +113,7 @@ static bool draw_depth(struct drawing *drawing, struct image *image, struct erro
 
 /* ---- Scene: hidden ---- */
 
-/* Lines are lifted by so many pixels towards us: README.md derives it. */
+/* How many pixels lines are lifted towards us: README.md derives it. */
 enum { LINE_LIFT = 2 };
 
 /* Draw the faces in the colour of the ground, then the sides of each, lifted by `lift` pixels. A
@@ -170,10 +170,10 @@ static void draw_card(const struct card *card, struct canvas *canvas) {
     triangle(canvas, (struct vertex[]){v[0], v[2], v[3]}, card->color);
 }
 
-/* Grey behind all, and on all sides larger than the image. Red; blue is a thousandth behind it,
- * green exactly as near, yellow a thousandth nearer, orange half a millionth. Apart from them
- * purple far away, and cyan very near; and white, with black in the same place and as near, which
- * stays hidden: their depth is not one of those that a float can hold. */
+/* A grey card lies behind all others and is larger than the image. Blue is a thousandth behind red,
+ * green exactly as near, yellow a thousandth nearer, and orange half a millionth. Elsewhere, purple
+ * is far away and cyan very near. Last come white and, in the same place and equally near, black,
+ * which stays hidden: no float is exactly their depth. */
 static const struct card cards[] = {
     {{-40, -40}, {440, 440}, -7000, {.r = 70, .g = 70, .b = 70, .a = 255}},
     {{100, 120}, {260, 280}, 0, {.r = 220, .g = 60, .b = 50, .a = 255}},
@@ -200,7 +200,7 @@ static bool draw_cards(struct drawing *drawing, struct image *image, struct erro
 
 enum { MODEL_AND_DEPTH = NEEDS_MODEL | NEEDS_DEPTH };
 
-/* `side` is not square: taken for its width, its height would mix rows of depths. */
+/* `side` isn't square: a program that takes its height for its width mixes rows of depths. */
 static const struct scene scenes[] = {
     {.name = "rows", .needs = NEEDS_DEPTH, .height = 640, .draw = draw_rows},
     {.name = "zbuffer", .needs = MODEL_AND_DEPTH, .draw = draw_zbuffer},

@@ -36,11 +36,11 @@ static bool draw_texture(struct drawing *drawing, struct image *image, struct er
 
 /* ---- Patterns for the other scenes ---- */
 
-/* So many texels, each of a colour; (0,0) is the lower left one. */
+/* A texture before it is painted: the colour of each texel. (0,0) is the lower left one. */
 struct pattern {
     int width, height;
     struct color (*color)(int x, int y);
-    bool clamp; /* draw out its edge, or repeat it? */
+    bool clamp; /* its edge goes on outside; otherwise the pattern repeats */
 };
 
 static const struct color light_tile = {.b = 215, .g = 235, .r = 245, .a = 255};
@@ -69,7 +69,7 @@ static struct color letters_color(int x, int y) {
     return (tile % 2 == 0) != on_letter ? light_tile : dark_tile;
 }
 
-/* The same with a border one texel wide in other colours, which shows where it is drawn out. */
+/* The letters with a border one texel wide in other colours, which shows how the edge goes on. */
 static struct color bordered_color(int x, int y) {
     if (x == LETTERS_WIDTH - 1) {
         return letters_color(x - 32, y);
@@ -133,8 +133,9 @@ struct surface {
     struct vec2 uv[4];
 };
 
-/* A place whose z is 0 is in pixels. Others are so far to our right, over the floor and ahead: the
- * farther, the smaller. The floor is rolled, so that the distance changes along every row. */
+/* Place the corners on the screen. One whose z is 0 is given in pixels. The others say how far they
+ * are to our right, above the floor and ahead: the farther, the smaller. The floor is rolled, so
+ * that the distance changes along every row. */
 static void place_surface(const struct surface *s, const struct image *image, struct vertex v[4]) {
     const double width = (double)image->width, height = (double)image->height;
     for (int i = 0; i < 4; i++) {
@@ -174,9 +175,10 @@ static bool draw_surfaces(const struct canvas *canvas, const struct surface *sur
 
 /* ---- Scene: letters ---- */
 
-/* Larger than its pattern, and a little askew. Then cloth, with texels as large as pixels: each
- * pixel centre is on the border between two texels. The last two show the last column of their
- * pattern and its last row: an int can't count the texels that far beyond it. */
+/* The first board is larger than its pattern, and a little askew. Then comes cloth with texels as
+ * large as pixels, so that each pixel centre is on the border between two texels. The last two show
+ * the last column and the last row of their pattern, but so far beyond it that an int can't count
+ * the texels. */
 static const struct surface boards[] = {
     {&bordered,
      {{80, 24, 0}, {784, 102, 0}, {720, 576, 0}, {16, 498, 0}},
@@ -213,21 +215,21 @@ static const struct surface room[] = {
 };
 enum { ROOM_SURFACES = sizeof room / sizeof room[0] };
 
-/* Right before us: a texel is larger than a pixel everywhere. */
+/* A wall so near that every texel is larger than a pixel. */
 static const struct surface close_wall = {
     &lettered,
     {{-0.75, 0.35, 1}, {1.05, 0.05, 1.5}, {1.05, 1.25, 1.5}, {-0.75, 1.55, 1}},
     {{-0.375, 0.35 / 1.2}, {0.525, 0.05 / 1.2}, {0.525, 1.25 / 1.2}, {-0.375, 1.55 / 1.2}},
 };
 
-/* Towards the horizon. One unit is one pattern: two tiles. */
+/* A plane that goes to the horizon. One unit is one pattern: two tiles. */
 static const struct surface plane_of_tiles = {
     &checker,
     {{-72, 0, 0.75}, {72, 0, 0.75}, {72, 0, 60}, {-72, 0, 60}},
     {{-72, 0.75}, {72, 0.75}, {72, 60}, {-72, 60}},
 };
 
-/* In the upper right corner, u from -2 to 2 to the right and v upwards, in steps of a quarter. */
+/* Draw a chart in the upper right corner: u from -2 to 2 to the right, v upwards, by quarters. */
 static void draw_chart(struct image *image, const struct texture *texture) {
     const int cell = (int)image->width / 80, side = 17 * cell;
     const int left = (int)image->width - side, below = (int)image->height - side;
@@ -256,7 +258,7 @@ static bool draw_close(struct drawing *drawing, struct image *image, struct erro
     return draw_surfaces(&canvas, &close_wall, 1, error);
 }
 
-/* The nine levels -1 to 7, from the top left: one cell each, a level finer at its left edge. */
+/* Draw the levels -1 to 8 in nine cells, from the top left: across each the level grows by 1. */
 static bool draw_softer(struct drawing *drawing, struct image *image, struct error *error) {
     (void)drawing;
     struct texture texture;

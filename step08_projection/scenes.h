@@ -47,7 +47,7 @@ static void plane_pixel(const struct plane *plane, int x, int y, struct color co
     }
 }
 
-/* A line between the pixels of two points. */
+/* Draw a line between the pixels of two points. */
 static void plane_line(const struct plane *plane, struct vec2 from, struct vec2 to,
                        struct color color) {
     struct vec2 a = to_pixels(&plane->to_screen, from), b = to_pixels(&plane->to_screen, to);
@@ -59,7 +59,7 @@ static void plane_line(const struct plane *plane, struct vec2 from, struct vec2 
     }
 }
 
-/* A convex polygon, as two triangles. Its corners are never too far for the screen. */
+/* Draw a convex polygon as two triangles. Its corners are never too far for the screen. */
 static void plane_polygon(const struct plane *plane, const struct vec2 corner[4],
                           struct color color) {
     struct fixed2 p[4] = {{0, 0}};
@@ -92,13 +92,13 @@ static void outline_house(const struct plane *plane, struct color color) {
     }
 }
 
-/* -2..2 in x and y. */
+/* The plane from -2 to 2 in x and y, in that area. */
 static struct plane plane_in(struct image *image, struct rectangle area) {
     const struct mat4 half = mat4_scaling((struct vec3){0.5, 0.5, 1});
     return (struct plane){image, area, mat4_mul(area_to_screen(area), half)};
 }
 
-/* Axes, the house through a map, and the outline of the house as it was. */
+/* Draw the axes, the house through a map, and the outline of the house as it was. */
 static void draw_mapped(const struct plane *plane, struct mat4 map) {
     const struct plane mapped = {plane->image, plane->area, mat4_mul(plane->to_screen, map)};
     fill_area(plane->image, plane->area, color_grey(26));
@@ -108,7 +108,7 @@ static void draw_mapped(const struct plane *plane, struct mat4 map) {
     outline_house(plane, color_grey(165));
 }
 
-/* The house through one of the nine maps, or as it is. A cross marks what it is turned about. */
+/* Draw the house through one of the nine maps, or as it is. A cross marks what it turns about. */
 static void draw_panel(struct image *image, struct rectangle area, int panel) {
     const struct plane plane = plane_in(image, area);
     draw_mapped(&plane, panel < PANELS ? panel_map(panel) : mat4_identity());
@@ -118,7 +118,7 @@ static void draw_panel(struct image *image, struct rectangle area, int panel) {
     }
 }
 
-/* The panel of the scene's number by itself. */
+/* Draw the panel of the scene's number alone. */
 static bool draw_alone(struct drawing *drawing, struct image *image, struct error *error) {
     (void)error;
     draw_panel(image, whole_image(image), drawing->number);
@@ -139,8 +139,8 @@ static bool draw_transforms(struct drawing *drawing, struct image *image, struct
 
 /* ---- Cameras ---- */
 
-/* World to view. A camera in front has nothing to turn, and lookat() is not called: it comes in
- * part d. */
+/* World to view. A camera in front has nothing to turn, so it does without lookat(), which you
+ * write in part d. */
 static struct mat4 camera_view(const struct drawing *drawing) {
     const struct vec3 eye = drawing->eye, center = drawing->center, up = drawing->up;
     const bool in_front = eye.x == 0 && eye.y == 0 && eye.z > 0 && vec3_dot(center, center) == 0 &&
@@ -177,7 +177,7 @@ static struct rectangle small_area(const struct image *image, int column, int ro
 
 /* ---- Part b ---- */
 
-/* The head in facets of one colour; large, and small from infinitely far away. */
+/* Draw the head in facets of one colour: large, and small as seen from infinitely far away. */
 static bool draw_projection(struct drawing *drawing, struct image *image, struct error *error) {
     (void)error;
     const struct mat4 parallel = mat4_mul(projection(INFINITY), camera_view(drawing));
@@ -275,7 +275,7 @@ static const struct leaf {
       {{0, 0}, {0.375, 0}, {0.375, 0.375}, {0, 0.375}}}},
 };
 
-/* With a matrix that comes before those of the camera, also for normals. */
+/* A canvas for a model that goes through `to_world` before the camera, with its normals. */
 static struct canvas world_canvas(const struct drawing *drawing, struct image *image,
                                   struct mat4 to_world) {
     struct mat4 to_clip = mat4_mul(camera_clip(drawing), to_world);
@@ -284,7 +284,7 @@ static struct canvas world_canvas(const struct drawing *drawing, struct image *i
     return canvas;
 }
 
-/* The model made narrow, then turned. */
+/* Draw the model, made narrow and then turned, and both leaves. */
 static bool draw_narrow(struct drawing *drawing, struct image *image, struct error *error) {
     const struct mat4 turned = mat4_rotation((struct vec3){0, 1, 0}, 0.05);
     const struct mat4 narrow = mat4_scaling((struct vec3){0.5, 1, 1});

@@ -1,15 +1,15 @@
 /*
  * Lesson 9, the given part: the pictures of README.md, and the program.
  *
- * A picture is a grid of cells, and in each cell the model as one shader draws it. Next to some
- * heads are two faces of a few pixels, which show what a head has little of: full light, faces that
- * cross each other or reach to the eye, a face drawn twice in two lights.
+ * A picture is a grid of cells, and each cell shows the model as one shader draws it. In corners of
+ * some cells two small faces show what a head has little of: full light, faces that cross each
+ * other or reach to the eye, a face drawn twice in two lights.
  */
 #include "extra_maps.h"
 
 #include <stdlib.h>
 
-/* What the shaders of the lesson read, for a model that is seen over so many pixels. */
+/* What the shaders of the lesson read, for a model that is about so many pixels wide. */
 static struct uniforms make_uniforms(const struct drawing *drawing, double pixels) {
     const double one_picture = pixels / fmax(drawing->repeats, 1);
     return (struct uniforms){
@@ -40,8 +40,8 @@ static const struct model full_square =
 static const struct model left_half =
     TWO_FACES({-1, -1, 0}, {0, -1, 0}, {0, 1, 0}, {-1, -1, 0}, {0, 1, 0}, {-1, 1, 0});
 
-/* Where they are drawn: a square in the upper left or the upper right corner of cell `i`, of `side`
- * rows of `side` cells. */
+/* Where two faces are drawn: a square in the upper left or the upper right corner of cell `i`, in a
+ * grid of `side` rows of `side` cells. */
 static struct rectangle corner_of(const struct image *image, int side, int i, bool at_right) {
     const struct rectangle cell = grid_cell(image->width, image->height, side, side, i);
     const int most = cell.height / 2, size = cell.width / 10 < most ? cell.width / 10 : most;
@@ -50,12 +50,12 @@ static struct rectangle corner_of(const struct image *image, int side, int i, bo
                               cell.y + cell.height - margin - size, size, size};
 }
 
-/* Seen as they are: their positions are NDC. */
+/* A call that draws the faces as they are: their positions are NDC. */
 static struct draw_call flat_call(const struct model *model, struct rectangle place) {
     return (struct draw_call){model, mat4_identity(), place, CULL_NONE};
 }
 
-/* Seen in perspective, from the front. */
+/* A call that draws the faces in perspective, from the front. */
 static struct draw_call near_call(const struct model *model, struct rectangle place) {
     const struct vec3 eye = {0, 0, 1.2}, center = {0, 0, 0}, up = {0, 1, 0};
     return camera_call(model, eye, center, up, 1, place, CULL_NONE);
@@ -129,8 +129,8 @@ static const struct model near_eye =
     TWO_FACES({-0.8, -0.8, 0}, {0.8, -0.8, 0}, {0.002, 0.001, 1.195}, {0.8, 0.8, 0}, {-0.8, 0.8, 0},
               {-0.0005, -0.0002, 1.199});
 
-/* Below, the corners from so near that perspective is strong, and a shoulder is behind the eye; and
- * the inside of the back of the head. */
+/* In the lower row the left head is so near that perspective is strong, and a shoulder is behind
+ * the eye; the right one shows the inside of the back of the head. */
 static bool draw_loops_by(const struct simple_shader *corners, struct drawing *drawing,
                           struct image *image) {
     const struct canvas canvas = {image, drawing->depth};
@@ -230,7 +230,7 @@ static bool draw_toon(struct drawing *drawing, struct image *image, struct error
     return pipeline_end(drawing, done, image, error);
 }
 
-/* In the corner once more, small: there the maps are not read at the same level. */
+/* Draw the head, and once more small in the corner, where the maps are read at other levels. */
 static bool draw_normal_map(struct drawing *drawing, struct image *image, struct error *error) {
     struct pipeline *pipeline = pipeline_begin(drawing);
     const struct rectangle place = grid_cell(image->width, image->height, 1, 1, 0);
@@ -249,8 +249,9 @@ static bool draw_normal_map(struct drawing *drawing, struct image *image, struct
     return pipeline_end(drawing, done, image, error);
 }
 
-/* Above: without the faces turned away from the camera; without those turned towards it. Below:
- * with all faces (the same picture as the first, with more work); culled by the light. */
+/* In the upper row, the head without the faces that turn away from the camera, and without those
+ * that turn towards it. In the lower row, all faces (the first picture again, with more work), and
+ * those that the light culls. */
 static bool draw_culling(struct drawing *drawing, struct image *image, struct error *error) {
     static const struct cell cells[] = {{&two_sided, CULL_BACK},
                                         {&two_sided, CULL_FRONT},
@@ -274,7 +275,7 @@ static const struct scene_value way_value[] = {
     {.name = NULL},
 };
 
-/* One behind another, the farthest first. */
+/* Call for the heads one behind another, the farthest first. */
 static void make_head_calls(const struct drawing *drawing, const struct image *image, double zoom,
                             struct draw_call calls[HEADS]) {
     const struct vec3 behind = {-0.62, 0.06, -0.6}; /* from head to head */
@@ -287,7 +288,7 @@ static void make_head_calls(const struct drawing *drawing, const struct image *i
     }
 }
 
-/* visible_draw(), with its memory. */
+/* Draw the heads by visible_draw(), with the memory that it needs. */
 static bool draw_heads_visibly(const struct canvas *canvas, const struct draw_call calls[HEADS],
                                int band_rows, const struct uniforms *u, struct error *error) {
     const size_t pixels = canvas->image->width * canvas->image->height;

@@ -1,7 +1,8 @@
 /*
  * Lesson 10, the given part: the pictures of README.md, and the program.
  *
- * A picture is a grid of cells, and in each cell the model as one shader draws it, with a material.
+ * A picture is a grid of cells, and each cell shows the model as one shader draws it, with a
+ * material.
  */
 #include "extra_materials.h"
 
@@ -10,7 +11,7 @@
 static const struct material plain_material = {0.1, 1, 0.5, 10, {255, 128, 255}};
 static const struct material textured_material = {0.1, 1, 1, 10, {255, 255, 255}};
 
-/* What the shaders of the lesson read, for a model that is seen over so many pixels. */
+/* What the shaders of the lesson read, for a model that is about so many pixels wide. */
 static struct uniforms make_uniforms(const struct drawing *drawing, double pixels,
                                      struct material material) {
     const double one_picture = pixels / fmax(drawing->repeats, 1);
@@ -35,7 +36,7 @@ struct cell {
     const struct texture *specular; /* NULL: the drawing's */
 };
 
-/* The same for the drawing's model in a cell, or for a part of it. */
+/* What they read for the drawing's model in a cell, or for a part of it. */
 static struct uniforms cell_uniforms(const struct drawing *drawing, const struct cell *cell,
                                      double pixels) {
     struct uniforms u = make_uniforms(drawing, pixels, cell->material);
@@ -170,8 +171,8 @@ static const struct model *near_board(void) {
     return &board;
 }
 
-/* A shoulder, so near that its faces are large: with a large power, with the largest power that a
- * map can say, and with the least value that says 2. On the right a board that is nearer still. */
+/* A shoulder so near that its faces are large: with a large power, with the largest power that a
+ * map can say, and with the least value that says 2. On the right a board is nearer still. */
 static void make_near(struct cell cells[4], const struct texture *map_of_255,
                       const struct texture *map_of_8) {
     cells[0] = plain_cell(200);

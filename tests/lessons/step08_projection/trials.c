@@ -53,8 +53,8 @@ static const struct quad try_planes[3] = {
      {{0.3125, 0.9375}, {0.3125, 0.9375}, {0.3125, 0.9375}, {0.3125, 0.9375}}},
 };
 
-/* Two more faces, which must not be seen, on a screen far larger than the image: NDC 0 is pixel 0, and NDC
- * 1 is pixel 2^22. One corner is too far for the screen, one has no finite depth. */
+/* Then two faces that must not be seen, on a screen far larger than the image: NDC 0 is pixel 0,
+ * and NDC 1 is pixel 2^22. One corner is too far for the screen, one has no finite depth. */
 static bool try_crossing(struct drawing *drawing, struct image *image, struct error *error) {
     const int side = 1 << 22;
     const double pixel = 1.0 / side;
@@ -79,10 +79,10 @@ static bool try_crossing(struct drawing *drawing, struct image *image, struct er
 
 /* ---- Parts d and e: above and closeup ---- */
 
-/* In the corners an `up` against a view that is aslant (the axis nearest to perpendicular is not
- * that of the large view, nor that of the eye's place), one that is 9 degrees off, one that is
- * almost along the view, but just not so near that it does not count, and, from the same eye, one
- * that is far from it. */
+/* In a corner `up` points against a view that is aslant: the axis nearest to perpendicular is not
+ * that of the large view, nor that of the eye's place. In the next it is 9 degrees off the view. In
+ * the third it is almost along the view, but still far enough from it to count; in the last, from
+ * the same eye, far from it. */
 static bool try_above(struct drawing *drawing, struct image *image, struct error *error) {
     static const struct {
         struct vec3 from_center, up;
