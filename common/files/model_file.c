@@ -198,7 +198,7 @@ static const char *const texture_suffixes[MODEL_TEXTURE_KINDS][4] = {
     [MODEL_NORMAL_MAP] = {"_nm", "_normal", "_nm_tangent", "_normal_tangent"},
     [MODEL_SPECULAR] = {"_spec", "_specular"},
 };
-static const char *const texture_extensions[] = {"tga", "png", "ppm", "jpg", "jpeg"};
+static const char *const texture_extensions[] = {"tga", "png", "ppm", "pgm", "jpg", "jpeg"};
 
 enum {
     EXTENSIONS = sizeof texture_extensions / sizeof texture_extensions[0],

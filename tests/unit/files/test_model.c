@@ -665,7 +665,8 @@ static void test_other_names(void) {
         enum model_texture_kind kind;
     } rows[] = {
         {"a_basecolor.PNG", MODEL_DIFFUSE},     {"a_basecolor.tga", MODEL_DIFFUSE},
-        {"a_albedo.png", MODEL_DIFFUSE},        {"a_diffuse.Png", MODEL_DIFFUSE},
+        {"a_albedo.png", MODEL_DIFFUSE},        {"a_diffuse.PGM", MODEL_DIFFUSE},
+        {"a_diffuse.ppm", MODEL_DIFFUSE},       {"a_diffuse.Png", MODEL_DIFFUSE},
         {"a_diffuse.TGA", MODEL_DIFFUSE},       {"a_normal_tangent.png", MODEL_NORMAL_MAP},
         {"a_nm_tangent.tga", MODEL_NORMAL_MAP}, {"a_normal.png", MODEL_NORMAL_MAP},
         {"a_nm.PNG", MODEL_NORMAL_MAP},         {"a_specular.TGA", MODEL_SPECULAR},
@@ -686,8 +687,8 @@ static void test_other_names(void) {
         if (CHECK_ROW(texture != NULL, rows[i].name)) {
             CHECK_ROW((texture->level[0].texels[0] & 0xFF) == i + 1, rows[i].name);
         }
-        CHECK(m.textures[MODEL_NORMAL_MAP].tangent_space == (i == 5 || i == 6));
-        CHECK(model_textures_present(&m) == (i < 5 ? 1 : i < 9 ? 2 : 3));
+        CHECK(m.textures[MODEL_NORMAL_MAP].tangent_space == (i == 7 || i == 8));
+        CHECK(model_textures_present(&m) == (i < 7 ? 1 : i < 11 ? 2 : 3));
         model_free(&m);
     }
     for (size_t i = 0; i < COUNT; i++) {
