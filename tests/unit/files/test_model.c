@@ -382,6 +382,7 @@ static void test_messages(void) {
         {"just some words\n1 2 3", "holds no faces"},
         {SQUARE "\nf 1 2 0\n", "6: face names vertex 0: the first is 1"},
         {SQUARE "f 1 2 5\n", "5: face names vertex 5 of 4"},
+        {"f 1 2 3\n" SQUARE "f 1 2 5\n", "6: face names vertex 5 of 4"},
         {SQUARE "f 1 2 4294967296\n", "5: face names vertex 4294967296 of 4"},
         {SQUARE "f 1 2 -4294967295\n", "5: face names vertex -4294967295 of 4"},
         {SQUARE "f 1 2 18446744073709551617", "5: face names vertex 18446744073709551617 of 4"},
