@@ -3,6 +3,13 @@
 
 #include <stdlib.h>
 
+void model_warn(struct model *model, enum model_warning warning, size_t line, const char *name) {
+    if (model->warning_line[warning] == 0) {
+        model->warning_line[warning] = line;
+        model->warning_name[warning] = name;
+    }
+}
+
 void model_free(struct model *model) {
     for (int i = 0; i < MODEL_TEXTURE_KINDS; i++) {
         texture_free(&model->textures[i]);

@@ -108,6 +108,10 @@ struct model {
     size_t level_limit; /* levels that a diffuse or specular texture gets; 0: all of them */
 };
 
+/* Note the line of a warning, and the name of what is missing or NULL, unless the model has that
+ * warning already. */
+void model_warn(struct model *model, enum model_warning warning, size_t line, const char *name);
+
 /* Free everything and leave an empty model. */
 void model_free(struct model *model);
 

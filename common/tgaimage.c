@@ -162,20 +162,10 @@ static void swap_bytes(uint8_t *a, uint8_t *b, size_t size) {
     }
 }
 
-static void flip_horizontally(struct image *image) {
-    size_t step = (size_t)image->format;
-    for (size_t y = 0; y < image->height; y++) {
-        uint8_t *row = image->pixels + y * row_size(image);
-        for (size_t x = 0; x < image->width / 2; x++) {
-            swap_bytes(row + x * step, row + (image->width - 1 - x) * step, step);
-        }
-    }
-}
-
-static void flip_vertically(struct image *image) {
-    size_t size = row_size(image);
-    for (size_t y = 0; y < image->height / 2; y++) {
-        swap_bytes(image->pixels + y * size, image->pixels + (image->height - 1 - y) * size, size);
+/* The last of `count` pixels or rows of `size` bytes comes first. */
+static void reverse(uint8_t *first, size_t count, size_t size) {
+    for (size_t i = 0; i < count / 2; i++) {
+        swap_bytes(first + i * size, first + (count - 1 - i) * size, size);
     }
 }
 
@@ -493,11 +483,11 @@ bool tga_decode(struct image *image, const void *data, size_t size, struct error
         image_free(image);
         return false;
     }
-    if ((tga.descriptor & TGA_RIGHT_TO_LEFT) != 0) {
-        flip_horizontally(image);
+    for (size_t y = 0; (tga.descriptor & TGA_RIGHT_TO_LEFT) != 0 && y < image->height; y++) {
+        reverse(image->pixels + y * row_size(image), image->width, (size_t)image->format);
     }
     if ((tga.descriptor & TGA_TOP_TO_BOTTOM) != 0) {
-        flip_vertically(image);
+        reverse(image->pixels, image->height, row_size(image));
     }
     return true;
 }

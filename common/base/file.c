@@ -287,19 +287,18 @@ static bool take_letters(char *path, char *name) {
 }
 
 bool file_find(char *path) {
-    bool there = file_exists(path);
-    for (char *name = path, *end; !there; name = end + 1) {
-        end = name + strcspn(name, "/");
+    for (char *name = path; !file_exists(path);) {
+        char *end = name + strcspn(name, "/");
         const char kept = *end;
         *end = '\0';
-        there = end == name || file_exists(path) || take_letters(path, name);
+        const bool there = end == name || file_exists(path) || take_letters(path, name);
         *end = kept;
         if (!there || kept == '\0') {
-            break;
+            return there;
         }
-        there = false;
+        name = end + 1;
     }
-    return there;
+    return true;
 }
 
 uint64_t file_size(const char *path) {

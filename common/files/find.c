@@ -5,7 +5,6 @@
 #include "files/image_file.h"
 
 #include <ctype.h>
-#include <limits.h>
 #include <stdlib.h>
 
 struct word name_without_rest(struct word name) {
@@ -20,9 +19,11 @@ struct word name_without_rest(struct word name) {
     return name;
 }
 
+/* A backslash before a blank parts no directories: it is how shells write the blank. */
 static struct word last_part(struct word path) {
     size_t i = path.length;
-    while (i > 0 && path.start[i - 1] != '/' && path.start[i - 1] != '\\') {
+    while (i > 0 && path.start[i - 1] != '/' &&
+           (path.start[i - 1] != '\\' || (i < path.length && path.start[i] == ' '))) {
         i--;
     }
     return (struct word){path.start + i, path.length - i};
@@ -47,44 +48,50 @@ static struct word without_quotes(struct word name) {
     return (struct word){name.start + quoted, name.length - (quoted ? 2 : 0)};
 }
 
-/* A name as it is written, or with another ending. */
-enum form { AS_PNG, AS_TGA, AS_WRITTEN, FORMS };
-
-/* The path of a name, with / between directories. */
-static char *make_path(const char *naming, struct word name, enum form form) {
-    static const char *const endings[] = {[AS_PNG] = ".png", [AS_TGA] = ".tga", [AS_WRITTEN] = ""};
+/* The path of a name, with / between directories; or with an ending instead of its own. What is
+ * `coded` as in URLs, "%20", or in shells, "\ ", may be decoded. */
+static char *make_path(const char *naming, struct word name, const char *ending, bool coded) {
     const char *slash = strrchr(naming, '/');
     const int directory = slash == NULL ? 0 : (int)(slash + 1 - naming);
-    if (name.length > INT_MAX) {
-        return NULL;
-    }
-    if (form != AS_WRITTEN) {
-        const struct word ending = name_ending(name);
-        name.length -= ending.length + (ending.length > 0);
-    }
+    const size_t own = ending == NULL ? 0 : name_ending(name).length;
     char *path =
-        string_format("%.*s%.*s%s", directory, naming, (int)name.length, name.start, endings[form]);
-    for (char *p = path == NULL ? NULL : path + directory; p != NULL && *p != '\0'; p++) {
-        *p = (char)(*p == '\\' ? '/' : *p);
+        string_format("%.*s%.*s%s", directory, naming, (int)(name.length - own - (own > 0)),
+                      name.start, ending == NULL ? "" : ending);
+    char *to = path == NULL ? NULL : path + directory;
+    for (const char *from = to; to != NULL && *from != '\0'; from++) {
+        if (coded && from[0] == '%' && isxdigit((unsigned char)from[1]) &&
+            isxdigit((unsigned char)from[2])) {
+            *to++ = (char)strtoul((const char[]){from[1], from[2], '\0'}, NULL, 16);
+            from += 2;
+        } else if (!coded || from[0] != '\\' || from[1] != ' ') {
+            *to++ = (char)(*from == '\\' ? '/' : *from);
+        }
+    }
+    if (to != NULL) {
+        *to = '\0';
     }
     return path;
 }
 
 char *find_named(struct word name, const char *naming, bool is_picture, bool *found) {
+    static const char *const endings[] = {NULL, ".png", ".tga"}; /* at first, or else at last */
+    enum { NAMES = 4, FORMS = 3 };
     const struct word whole = without_quotes(name), rid = without_quotes(name_without_rest(name));
-    const struct word names[] = {whole, last_part(whole), rid, last_part(rid)};
+    const struct word names[NAMES] = {whole, last_part(whole), rid, last_part(rid)};
+    const bool may_be_coded = name.length > 0 && (memchr(name.start, '%', name.length) != NULL ||
+                                                  memchr(name.start, '\\', name.length) != NULL);
     char *path = NULL;
     *found = false;
-    for (size_t i = 0; i < 4 * FORMS && !*found; i++) {
-        const struct word one = names[i / FORMS], ending = name_ending(one);
+    for (size_t i = 0; i < NAMES * FORMS * (may_be_coded ? 2 : 1) && !*found; i++) {
+        const struct word one = names[i / FORMS % NAMES], ending = name_ending(one);
         const bool is_read = ending.length == 0 || image_file_is_readable(ending);
-        const size_t first = is_read ? AS_WRITTEN : AS_PNG;
-        bool again = i >= FORMS && one.length == whole.length;
+        const bool again = i / FORMS % NAMES > 0 && one.length == whole.length;
         if (again || one.length == 0 || (!is_picture && i % FORMS > 0)) {
             continue;
         }
         free(path);
-        path = make_path(naming, one, is_picture ? (enum form)((first + i) % FORMS) : AS_WRITTEN);
+        path = make_path(naming, one, is_picture ? endings[(i + !is_read) % FORMS] : NULL,
+                         i >= NAMES * FORMS);
         if (path == NULL) {
             return NULL;
         }
@@ -92,7 +99,7 @@ char *find_named(struct word name, const char *naming, bool is_picture, bool *fo
     }
     if (!*found && name.length > 0) {
         free(path);
-        path = make_path(naming, rid, AS_WRITTEN);
+        path = make_path(naming, rid, NULL, false);
     }
     return path;
 }

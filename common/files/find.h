@@ -8,10 +8,10 @@
 
 /* The path of a file that the one at `naming` names: next to that or, where it is not there (many
  * files name directories of their maker's machine), by its last part alone; if need be without a
- * comment or options behind it, and in other letters (file_find()). Of a picture, "x.png" or
- * "x.tga" does as well, and better than a kind that is not read. Where none of these is there,
- * `found` is false, and the name is as it is written. The caller frees the path; NULL for an empty
- * name, or when memory runs out. */
+ * comment or options behind it, in other letters (file_find()), and with its blanks written as in
+ * URLs or shells. Of a picture, "x.png" or "x.tga" does as well, and better than a kind that is not
+ * read. Where none of these is there, `found` is false, and the name is as it is written. The
+ * caller frees the path; NULL for an empty name, or when memory runs out. */
 char *find_named(struct word name, const char *naming, bool is_picture, bool *found);
 
 /* The name before a comment, or before options where some write them. (Names may hold blanks.) */

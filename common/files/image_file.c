@@ -46,12 +46,9 @@ bool image_read(struct image *image, const char *path, struct error *error) {
 }
 
 bool image_file_is_readable(struct word ending) {
-    static const char *const readable[] = {"png", "tga", "ppm", "pgm", "pnm"};
-    size_t i = 0;
-    while (i < sizeof readable / sizeof readable[0] && !word_matches(ending, readable[i])) {
-        i++;
-    }
-    return i < sizeof readable / sizeof readable[0];
+    return word_matches(ending, "png") || word_matches(ending, "tga") ||
+           word_matches(ending, "ppm") || word_matches(ending, "pgm") ||
+           word_matches(ending, "pnm");
 }
 
 /* ---- Writing ---- */

@@ -65,11 +65,6 @@ static const struct known_file {
     {"#?RADIANCE", 0, "a Radiance HDR file", PICTURE},
 };
 
-/* 80 bytes of anything, the number of triangles, 50 bytes for each of them. */
-static bool is_binary_stl(const uint8_t *data, size_t size) {
-    return size >= 84 && 84 + 50 * (uint64_t)load_u32(data + 80) == size;
-}
-
 /* What converts a picture and, unless its name tells of another kind, all of its kind next to it:
  * find_named() takes them then. */
 static void advise_to_convert(struct error *error, const char *what, const char *path) {
@@ -112,7 +107,8 @@ bool known_recognize(const void *data, size_t size, const char *path, bool model
             return true;
         }
     }
-    if (is_binary_stl(data, size)) {
+    /* 80 bytes of anything, the number of triangles, 50 bytes for each of them */
+    if (size >= 84 && 84 + 50 * (uint64_t)load_u32(start + 80) == size) {
         write_message(error, "a binary STL file", MODEL, path, model_wanted);
         return true;
     }

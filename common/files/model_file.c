@@ -29,13 +29,12 @@ static bool error_no_faces(const char *path, const void *data, size_t size, stru
         {"p", "points and no faces, which no lesson draws"},
     };
     struct text text;
-    struct error ignored;
     double number;
-    size_t least = sizeof others / sizeof others[0], line = 0; /* where that is first */
-    bool begun = text_begin(&text, data, size, true, &ignored), first = true;
-    while (begun && text_next_line(&text)) {
+    size_t least = sizeof others / sizeof others[0], line = 0, words = 0; /* where it is first */
+    text_peek(&text, data, size);
+    while (text_next_line(&text)) {
         struct word word = text_next_word(&text);
-        if (first && word_to_double(word, &number)) {
+        if (word.length > 0 && words++ == 0 && word_to_double(word, &number)) {
             return error_set(error, "begins with a number, as neither OBJ nor OFF does");
         }
         for (size_t i = 0; i < least; i++) {
@@ -44,7 +43,6 @@ static bool error_no_faces(const char *path, const void *data, size_t size, stru
                 line = text.line;
             }
         }
-        first = first && word.length == 0;
     }
     if (line > 0) {
         return text_error(error, line, "%s", others[least].what);
@@ -106,14 +104,6 @@ bool model_decode(struct model *model, const void *data, size_t size, struct err
 
 /* ---- Materials ---- */
 
-/* Only the first counts. */
-static void warn(struct model *model, enum model_warning warning, size_t line, const char *name) {
-    if (model->warning_line[warning] == 0) {
-        model->warning_line[warning] = line;
-        model->warning_name[warning] = name;
-    }
-}
-
 /* Read a file of materials that the model names. False when memory runs out; sets whether it is
  * there. */
 static bool read_library(struct model *model, struct word name, bool *found, struct error *error) {
@@ -140,7 +130,7 @@ static bool read_line_of_libraries(struct model *model, struct model_library lin
         done = read_library(model, text_next_word(&text), &each, error);
     }
     if (!found) {
-        warn(model, MODEL_LIBRARY_MISSING, line.line, line.name);
+        model_warn(model, MODEL_LIBRARY_MISSING, line.line, line.name);
     }
     return done;
 }
@@ -158,9 +148,12 @@ static bool read_libraries(struct model *model, struct error *error) {
     }
     for (size_t i = 0; i < model->material_count; i++) {
         const struct model_material *material = &model->materials[i];
+        if (material->glassy && !material->hidden) {
+            model_warn(model, MODEL_GLASSY, material->line, NULL);
+        }
         if (!material->known && !is_name_of_none(material->name) &&
             model->warning_line[MODEL_LIBRARY_MISSING] == 0) {
-            warn(model, MODEL_MATERIAL_MISSING, material->line, material->name);
+            model_warn(model, MODEL_MATERIAL_MISSING, material->line, material->name);
         }
     }
     return done;
@@ -198,7 +191,7 @@ static const char *const texture_suffixes[MODEL_TEXTURE_KINDS][4] = {
     [MODEL_NORMAL_MAP] = {"_nm", "_normal", "_nm_tangent", "_normal_tangent"},
     [MODEL_SPECULAR] = {"_spec", "_specular"},
 };
-static const char *const texture_extensions[] = {"tga", "png", "ppm", "jpg", "jpeg"};
+static const char *const texture_extensions[] = {"tga", "png", "ppm", "pgm", "jpg", "jpeg"};
 
 enum {
     EXTENSIONS = sizeof texture_extensions / sizeof texture_extensions[0],
@@ -207,16 +200,15 @@ enum {
 
 /* Turn the normals that a picture holds, as levels (coordinate + 1) * 127.5. */
 static void turn_normals(struct image *image, const int turns[3]) {
-    for (int y = 0; y < (int)image->height; y++) {
-        for (int x = 0; x < (int)image->width; x++) {
-            struct color c = image_get(image, x, y);
-            struct vec3 n = {c.r - 127.5, c.g - 127.5, c.b - 127.5};
-            n = vec3_quarter_turned(n, turns);
-            c.r = (uint8_t)(n.x + 127.5);
-            c.g = (uint8_t)(n.y + 127.5);
-            c.b = (uint8_t)(n.z + 127.5);
-            image_set(image, x, y, c);
-        }
+    for (size_t i = 0; i < image->width * image->height; i++) {
+        const int x = (int)(i % image->width), y = (int)(i / image->width);
+        struct color c = image_get(image, x, y);
+        struct vec3 n = {c.r - 127.5, c.g - 127.5, c.b - 127.5};
+        n = vec3_quarter_turned(n, turns);
+        c.r = (uint8_t)(n.x + 127.5);
+        c.g = (uint8_t)(n.y + 127.5);
+        c.b = (uint8_t)(n.z + 127.5);
+        image_set(image, x, y, c);
     }
 }
 

@@ -58,11 +58,6 @@ bool reader_read_numbers(struct model_reader *reader, struct reader_numbers *num
     }
 }
 
-void reader_warn(struct model_reader *reader, enum model_warning warning) {
-    size_t *line = &reader->model->warning_line[warning];
-    *line = *line == 0 ? reader->line : *line;
-}
-
 /* ---- Positions, texture coordinates, normals, colours ---- */
 
 /* As array_extend(), with a message. Elements are numbered below MODEL_NONE. */
@@ -293,18 +288,6 @@ bool reader_finish(struct model_reader *reader) {
 
 /* ---- Faces ---- */
 
-/* Put the positions of the polygon's corners together. */
-static bool gather_places(struct model_reader *reader) {
-    if (!extend(reader, &reader->places, &reader->place_capacity, reader->polygon_size,
-                sizeof *reader->places)) {
-        return false;
-    }
-    for (size_t i = 0; i < reader->polygon_size; i++) {
-        reader->places[i] = reader->model->positions[reader->polygon[i].position];
-    }
-    return true;
-}
-
 static bool cut_polygon(struct model_reader *reader) {
     size_t size = reader->polygon_size;
     switch (polygon_cut(&reader->cutter, reader->places, size)) {
@@ -331,7 +314,14 @@ bool reader_add_faces(struct model_reader *reader) {
         model->faces[model->face_count++] = (struct face){{polygon[0], polygon[1], polygon[2]}};
         return true;
     }
-    if (!gather_places(reader) || !cut_polygon(reader)) {
+    if (!extend(reader, &reader->places, &reader->place_capacity, reader->polygon_size,
+                sizeof *reader->places)) {
+        return false;
+    }
+    for (size_t i = 0; i < reader->polygon_size; i++) {
+        reader->places[i] = model->positions[polygon[i].position];
+    }
+    if (!cut_polygon(reader)) {
         return false;
     }
     for (size_t i = 0; i < count; i++) {

@@ -75,9 +75,6 @@ static inline void reader_divide_by_w(double position[4]) {
     }
 }
 
-/* Note the line of the current statement, unless the model has that warning already. */
-void reader_warn(struct model_reader *reader, enum model_warning warning);
-
 /* Add to the model. All but positions is rounded to float. A position that is not finite, or too
  * large for a float, is an error only where a face names it. A texture coordinate that is none
  * becomes 0; when the model is finished, corners lose a normal that has no direction. */

@@ -66,10 +66,10 @@ static void read_pair(struct text *text, float pair[2]) {
     }
 }
 
-/* The options before a texture's name, each of them with what follows it. `material` gets those
- * that count. */
-static void read_options(struct text *text, struct model_material *material) {
+/* The options before a texture's name, each of them with what follows it. */
+static void read_options(struct text *text, struct model_material *material, float *bump) {
     float ignored[2] = {0};
+    *bump = 1;
     for (;;) {
         struct text ahead = *text;
         struct word option = text_next_word(&ahead);
@@ -85,7 +85,7 @@ static void read_options(struct text *text, struct model_material *material) {
         } else if (word_is(option, "-bm")) {
             double number;
             text_next_number(&ahead, &number);
-            material->bump = number > 0 && number <= 100 ? (float)number : 1;
+            *bump = number > 0 && number <= 100 ? (float)number : 1;
         } else if (word_is(option, "-clamp")) {
             material->clamp = word_is(text_next_word(&ahead), "on");
         } else { /* every other one has one argument, or two */
@@ -99,9 +99,9 @@ static void read_options(struct text *text, struct model_material *material) {
 }
 
 /* A map of the material: its options, and its path instead of the last one. */
-static bool read_map(struct text *text, struct model_material *options, const char *library,
-                     char **path) {
-    read_options(text, options);
+static bool read_map(struct text *text, struct model_material *options, float *bump,
+                     const char *library, char **path) {
+    read_options(text, options, bump);
     struct word name = text_rest_of_line(text);
     bool found;
     free(*path);
@@ -113,7 +113,8 @@ static bool read_map(struct text *text, struct model_material *options, const ch
 static bool read_statement(struct text *text, struct word keyword, const char *library,
                            struct model_material *material) {
     double number;
-    struct model_material options = {.bump = 1}; /* of other maps than that of the colours */
+    struct model_material others = {0}; /* the options of other maps than that of colours, */
+    float ignored;                      /* and -bm of other maps than bumps, count for nothing */
     bool is_norm = word_matches(keyword, "norm");
     bool is_bump = word_matches(keyword, "map_Bump") || word_matches(keyword, "bump");
     if (word_matches(keyword, "Kd")) {
@@ -135,30 +136,14 @@ static bool read_statement(struct text *text, struct word keyword, const char *l
     } else if (word_matches(keyword, "map_d")) {
         material->glassy = true;
     } else if (word_matches(keyword, "map_Kd")) {
-        options.bump = material->bump; /* is not its own */
-        bool done = read_map(text, material, library, &material->texture);
-        material->bump = options.bump;
-        return done;
+        return read_map(text, material, &ignored, library, &material->texture);
     } else if (word_matches(keyword, "map_Ks") || word_matches(keyword, "map_Ns")) {
-        return read_map(text, &options, library, &material->shine);
+        return read_map(text, &others, &ignored, library, &material->shine);
     } else if (is_norm || (is_bump && !material->is_norm)) {
         material->is_norm = is_norm;
-        bool done = read_map(text, &options, library, &material->bumps);
-        material->bump = options.bump;
-        return done;
+        return read_map(text, &others, &material->bump, library, &material->bumps);
     }
     return true;
-}
-
-/* Where the first of them is named. */
-static void warn_of_glass(struct model *model) {
-    size_t *line = &model->warning_line[MODEL_GLASSY];
-    for (size_t i = 0; i < model->material_count; i++) {
-        const struct model_material *material = &model->materials[i];
-        if (material->glassy && !material->hidden && (*line == 0 || material->line < *line)) {
-            *line = material->line;
-        }
-    }
 }
 
 bool mtl_decode(struct model *model, const void *data, size_t size, const char *path,
@@ -180,6 +165,5 @@ bool mtl_decode(struct model *model, const void *data, size_t size, const char *
             return error_out_of_memory(error);
         }
     }
-    warn_of_glass(model);
     return true;
 }

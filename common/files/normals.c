@@ -50,20 +50,7 @@ void sets_join(size_t *lower, size_t a, size_t b) {
     lower[least > other ? least : other] = least < other ? least : other;
 }
 
-/* ---- Normals ---- */
-
-/* Append the normal of a position to the model's, which has room for it. */
-static uint32_t append_normal(struct model *model, struct vec3 sum) {
-    const double noise = 1e-9; /* far above what rounding leaves of opposite normals */
-    struct vec3 normal = vec3_length(sum) > noise ? vec3_normalized(sum) : (struct vec3){0, 0, 1};
-    float *stored = model->normals[model->normal_count];
-    stored[0] = (float)normal.x;
-    stored[1] = (float)normal.y;
-    stored[2] = (float)normal.z;
-    return (uint32_t)model->normal_count++;
-}
-
-/* ---- Which corners share a normal ----
+/* ---- Normals ----
  *
  * Around a position the faces are a fan, or several: those that one reaches from each other over
  * soft edges. Each fan has one normal. */
@@ -78,6 +65,7 @@ struct leaf {
     struct vec3 face_normal; /* of length 1 or 0 */
     struct vec3 sum;         /* of the fan's normals */
     uint32_t normal;         /* MODEL_NONE: none yet */
+    size_t earlier[2];       /* for each spoke, the last one before it that leads there too; or 0 */
 };
 
 /* Of a position. A leaf has two spokes, the edges of its face that meet there; they are numbered
@@ -92,8 +80,7 @@ struct fans {
     size_t *last;  /* the last spoke to each position, from this one or from one before */
     /* Room for as many corners as any position has. */
     struct leaf *leaves;
-    size_t *earlier; /* of a spoke: the last one before it that leads to the same position; or 0 */
-    size_t *lower;   /* see sets_join() */
+    size_t *lower; /* see sets_join() */
 };
 
 /* Is the edge between these two corners' faces soft? The file's smoothing groups say so, or the
@@ -111,19 +98,23 @@ static bool is_soft(const struct fans *fans, size_t a, size_t b) {
     return vec3_dot(u, v) >= fans->least || vec3_dot(u, u) == 0 || vec3_dot(v, v) == 0;
 }
 
-static void find_fans(const struct fans *fans) {
-    for (size_t i = 0; i < 2 * fans->count; i++) {
-        const uint32_t corner = fans->corner[i / 2];
-        size_t *last =
-            &fans->last
-                 [fans->model->faces[corner / 3].corner[(corner % 3 + 1 + i % 2) % 3].position];
-        fans->earlier[i] = *last > fans->spokes ? *last - fans->spokes : 0;
-        *last = fans->spokes + i + 1;
-        for (size_t k = 0, other = fans->earlier[i]; k < NEIGHBOURS && other > 0; k++) {
-            if (is_soft(fans, i / 2, (other - 1) / 2)) {
-                sets_join(fans->lower, i / 2, (other - 1) / 2);
+/* Leaf `i` joins the fans of those before it to which it has soft edges. */
+static void add_leaf(const struct fans *fans, size_t i) {
+    const size_t face = fans->corner[i] / 3, at = fans->corner[i] % 3;
+    struct leaf *leaf = &fans->leaves[i];
+    *leaf = (struct leaf){.face_normal = vec3_normalized(model_face_normal(fans->model, face)),
+                          .normal = MODEL_NONE};
+    fans->lower[i] = fans->all ? 0 : i;
+    for (size_t k = 0; k < 2; k++) {
+        size_t *last = &fans->last[fans->model->faces[face].corner[(at + 1 + k) % 3].position];
+        size_t other = *last > fans->spokes ? *last - fans->spokes : 0;
+        leaf->earlier[k] = other;
+        *last = fans->spokes + 2 * i + k + 1;
+        for (int looked = 0; looked < NEIGHBOURS && other > 0; looked++) {
+            if (is_soft(fans, i, (other - 1) / 2)) {
+                sets_join(fans->lower, i, (other - 1) / 2);
             }
-            other = fans->earlier[other - 1];
+            other = fans->leaves[(other - 1) / 2].earlier[(other - 1) % 2];
         }
     }
 }
@@ -133,11 +124,8 @@ static void find_fans(const struct fans *fans) {
 static bool give_normals(const struct fans *fans, size_t *capacity) {
     struct model *model = fans->model;
     for (size_t i = 0; i < fans->count; i++) {
-        struct vec3 normal = vec3_normalized(model_face_normal(model, fans->corner[i] / 3));
-        fans->leaves[i] = (struct leaf){.face_normal = normal, .normal = MODEL_NONE};
-        fans->lower[i] = fans->all ? 0 : i;
+        add_leaf(fans, i);
     }
-    find_fans(fans);
     for (size_t i = 0; i < fans->count; i++) {
         const size_t face = fans->corner[i] / 3, at = fans->corner[i] % 3;
         struct vec3 p = model_position(model, face, at);
@@ -155,7 +143,12 @@ static bool give_normals(const struct fans *fans, size_t *capacity) {
                               sizeof *model->normals)) {
                 return false;
             }
-            fan->normal = append_normal(model, fan->sum);
+            const double noise = 1e-9; /* far above what rounding leaves of opposite normals */
+            const struct vec3 n =
+                vec3_length(fan->sum) > noise ? vec3_normalized(fan->sum) : (struct vec3){0, 0, 1};
+            const float rounded[3] = {(float)n.x, (float)n.y, (float)n.z};
+            memcpy(model->normals[model->normal_count], rounded, sizeof rounded);
+            fan->normal = (uint32_t)model->normal_count++;
         }
         *normal = *normal == MODEL_NONE ? fan->normal : *normal;
     }
@@ -181,18 +174,15 @@ static size_t sort_corners(const struct model *model, uint32_t *corners, uint32_
     return most;
 }
 
-static bool lacks_normals(const struct model *model) {
-    size_t i = 0;
-    while (i < 3 * model->face_count && model->faces[i / 3].corner[i % 3].normal != MODEL_NONE) {
-        i++;
-    }
-    return i < 3 * model->face_count;
-}
-
 bool model_need_normals(struct model *model, struct error *error) {
     const double degrees = model->hard_given ? model->hard_degrees : HARD_DEGREES;
     const double rounding = 0.1; /* of positions in files */
-    if (!lacks_normals(model)) {
+    size_t bare = 0;             /* the first corner that is */
+    while (bare < 3 * model->face_count &&
+           model->faces[bare / 3].corner[bare % 3].normal != MODEL_NONE) {
+        bare++;
+    }
+    if (bare == 3 * model->face_count) {
         return true;
     }
     const size_t limit = model->face_count <= UINT32_MAX / 3 ? 3 * model->face_count : SIZE_MAX;
@@ -206,11 +196,9 @@ bool model_need_normals(struct model *model, struct error *error) {
         .all = degrees >= 180,
         .last = calloc(model->position_count, sizeof *fans.last),
         .leaves = calloc(most + 1, sizeof *fans.leaves),
-        .earlier = calloc(2 * most + 1, sizeof *fans.earlier),
         .lower = calloc(most + 1, sizeof *fans.lower),
     };
-    done = done && fans.last != NULL && fans.leaves != NULL && fans.earlier != NULL &&
-           fans.lower != NULL;
+    done = done && fans.last != NULL && fans.leaves != NULL && fans.lower != NULL;
     for (size_t i = 0, begin = 0; done && i < model->position_count; begin = ends[i++]) {
         fans.corner = corners + begin;
         fans.count = ends[i] - begin;
@@ -219,7 +207,6 @@ bool model_need_normals(struct model *model, struct error *error) {
     }
     free(fans.last);
     free(fans.leaves);
-    free(fans.earlier);
     free(fans.lower);
     free(corners);
     free(ends);
@@ -227,11 +214,6 @@ bool model_need_normals(struct model *model, struct error *error) {
 }
 
 /* ---- Colours ---- */
-
-/* -1..1 becomes 0..1. */
-static float level_of(double coordinate) {
-    return (float)((coordinate + 1) / 2);
-}
 
 static bool has_colorful_material(const struct model *model) {
     for (size_t i = 0; i < model->material_count; i++) {
@@ -279,9 +261,9 @@ bool model_need_colors(struct model *model, struct error *error) {
         for (size_t j = 3; j-- > 0;) {
             struct vec3 normal = vec3_normalized(model_normal(model, i, j));
             float *color = model->colors[model->faces[i].corner[j].position];
-            color[0] = level_of(normal.x);
-            color[1] = level_of(normal.y);
-            color[2] = level_of(normal.z);
+            color[0] = (float)((normal.x + 1) / 2);
+            color[1] = (float)((normal.y + 1) / 2);
+            color[2] = (float)((normal.z + 1) / 2);
         }
     }
     return true;

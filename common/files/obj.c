@@ -19,55 +19,43 @@ struct obj {
     uint32_t unused[ATTRIBUTES]; /* MODEL_NONE where an attribute is not wanted, otherwise 0 */
     size_t so_far[ATTRIBUTES]; /* above the current line: what a negative index counts back from */
     size_t total[ATTRIBUTES];  /* as far as the file is read */
-    bool reading_ahead;        /* faces are passed over */
+    bool reading_ahead;        /* all but attributes is passed over */
     bool is_read_ahead;        /* all but faces is read */
 };
 
 /* ---- Positions, texture coordinates and normals ---- */
 
-/* The numbers of a line, of which there are at least so many. */
-static inline bool read_numbers(struct model_reader *reader, const char *keyword, size_t least,
-                                struct reader_numbers *numbers) {
-    return reader_read_numbers(reader, numbers) &&
-           (numbers->count >= least ||
-            text_error(reader->error, reader->line, "'%s' takes %zu or more numbers, not %zu",
-                       keyword, least, numbers->count));
-}
-
-/* x y z, or x y z w, or x y z r g b; what else follows counts for nothing. */
-static bool read_position(struct model_reader *reader) {
-    struct reader_numbers numbers;
-    if (!read_numbers(reader, "v", 3, &numbers)) {
-        return false;
-    }
-    if (numbers.count == 4) {
-        reader_divide_by_w(numbers.value);
-    }
-    return reader_add_position(reader, numbers.value) &&
-           (numbers.count < 6 || reader_color_position(reader, numbers.value + 3));
-}
-
-/* u, u v, u v w */
-static bool read_uv(struct model_reader *reader) {
-    struct reader_numbers numbers;
-    return read_numbers(reader, "vt", 1, &numbers) &&
-           reader_add_uv(reader, numbers.value[0], numbers.count > 1 ? numbers.value[1] : 0);
-}
-
-static bool read_normal(struct model_reader *reader) {
-    struct reader_numbers numbers;
-    return read_numbers(reader, "vn", 3, &numbers) && reader_add_normal(reader, numbers.value);
-}
-
-/* A line of an attribute: counted, and read if it is of use and not read yet. */
+/* A line of an attribute: counted, and read if it is of use and not read yet. It is x y z, x y z w
+ * or x y z r g b; u, u v or u v w; x y z. What else follows counts for nothing. */
 static bool read_attribute(struct obj *obj, enum attribute attribute) {
-    static bool (*const read[])(struct model_reader *) = {read_position, read_uv, read_normal};
+    static const char *const keywords[] = {"v", "vt", "vn"};
+    struct model_reader *reader = &obj->reader;
+    const size_t least = attribute == UV ? 1 : 3;
+    struct reader_numbers numbers;
+    double *value = numbers.value;
     obj->so_far[attribute]++;
-    if (obj->is_read_ahead) {
+    obj->total[attribute] += !obj->is_read_ahead;
+    if (obj->is_read_ahead || obj->unused[attribute] != 0) {
         return true;
     }
-    obj->total[attribute]++;
-    return obj->unused[attribute] != 0 || read[attribute](&obj->reader);
+    if (!reader_read_numbers(reader, &numbers)) {
+        return false;
+    }
+    if (numbers.count < least) {
+        return text_error(reader->error, reader->line, "'%s' takes %zu or more numbers, not %zu",
+                          keywords[attribute], least, numbers.count);
+    }
+    if (attribute == UV) {
+        return reader_add_uv(reader, value[0], numbers.count > 1 ? value[1] : 0);
+    }
+    if (attribute == NORMAL) {
+        return reader_add_normal(reader, value);
+    }
+    if (numbers.count == 4) {
+        reader_divide_by_w(value);
+    }
+    return reader_add_position(reader, value) &&
+           (numbers.count < 6 || reader_color_position(reader, value + 3));
 }
 
 /* ---- Faces ---- */
@@ -120,7 +108,8 @@ static bool resolve(struct obj *obj, enum attribute attribute, struct word field
         return true;
     }
     if (attribute != POSITION) {
-        reader_warn(reader, attribute == UV ? MODEL_UVS_MISSING : MODEL_NORMALS_MISSING);
+        model_warn(reader->model, attribute == UV ? MODEL_UVS_MISSING : MODEL_NORMALS_MISSING,
+                   reader->line, NULL);
         return true;
     }
     if (index == 0) {
@@ -181,14 +170,11 @@ static bool read_corners(struct obj *obj) {
 }
 
 static bool read_face(struct obj *obj) {
-    if (obj->reading_ahead) {
-        return true;
-    }
     if (!read_corners(obj)) {
         return false;
     }
     if (obj->reader.polygon_size < 3) {
-        reader_warn(&obj->reader, MODEL_SHORT_FACES);
+        model_warn(obj->reader.model, MODEL_SHORT_FACES, obj->reader.line, NULL);
         return true;
     }
     return reader_add_faces(&obj->reader);
@@ -196,8 +182,7 @@ static bool read_face(struct obj *obj) {
 
 /* "l v1 v2 v3 ...": from each to the next. */
 static bool read_line(struct obj *obj) {
-    return obj->reading_ahead || (obj->parts & MODEL_LINES) == 0 ||
-           (read_corners(obj) && reader_add_lines(&obj->reader));
+    return (obj->parts & MODEL_LINES) == 0 || (read_corners(obj) && reader_add_lines(&obj->reader));
 }
 
 /* "s 2": the smoothing group of the faces to come; "s off" and "s 0": none. */
@@ -205,7 +190,7 @@ static bool read_group(struct obj *obj) {
     struct word word = text_next_word(&obj->reader.text);
     int64_t number = word_matches(word, "off") ? 0 : 1;
     (void)word_to_integer(word, &number);
-    return obj->reading_ahead || obj->unused[NORMAL] != 0 ||
+    return obj->unused[NORMAL] != 0 ||
            reader_use_group(&obj->reader, (uint32_t)(number & 0x7fffffff));
 }
 
@@ -222,6 +207,8 @@ static bool read_lines(struct obj *obj) {
             done = read_attribute(obj, UV);
         } else if (word_matches(keyword, "vn")) {
             done = read_attribute(obj, NORMAL);
+        } else if (obj->reading_ahead) {
+            continue; /* it is come to again */
         } else if (word_matches(keyword, "f") || word_matches(keyword, "fo")) {
             done = read_face(obj);
         } else if (word_matches(keyword, "l")) {
@@ -229,11 +216,9 @@ static bool read_lines(struct obj *obj) {
         } else if (word_matches(keyword, "s")) {
             done = read_group(obj);
         } else if (word_matches(keyword, "usemtl")) {
-            done = obj->reading_ahead ||
-                   reader_use_material(&obj->reader, text_rest_of_line(&obj->reader.text));
+            done = reader_use_material(&obj->reader, text_rest_of_line(&obj->reader.text));
         } else if (word_matches(keyword, "mtllib")) {
-            done = obj->reading_ahead ||
-                   reader_add_library(&obj->reader, text_rest_of_line(&obj->reader.text));
+            done = reader_add_library(&obj->reader, text_rest_of_line(&obj->reader.text));
         }
     }
     return done;

@@ -130,11 +130,11 @@ struct off_counts {
     bool in_doubt; /* whether the number of edges follows */
 };
 
-/* The numbers of vertices, faces and edges, from `word` on. A vertex takes at least 6 bytes
- * ("0 0 0" and a blank), a face at least 2. */
+/* The numbers of vertices, faces and edges, from `word` on, unless it is empty. A vertex takes at
+ * least 6 bytes ("0 0 0" and a blank), a face at least 2. */
 static bool read_counts(struct model_reader *reader, struct word word, struct off_guess guess,
                         struct off_counts *counts) {
-    if (word.length == 0 && !reader_next_line(reader, &word)) {
+    if (word.length == 0 && !reader_next_word(reader, &word)) {
         return text_error(reader->error, reader->line,
                           "the numbers of vertices and faces are missing");
     }
@@ -165,16 +165,16 @@ static bool read_header(struct model_reader *reader, struct off_guess guess, str
     kind->only_drawn = guess.edges;
     kind->own_lines = guess.colored;
     kind->color |= guess.colored;
-    word = kind->rest.length > 0 ? kind->rest : text_next_word(&reader->text);
+    word = kind->rest;
     if (kind->dimension) {
-        if (word.length == 0 && !reader_next_line(reader, &word)) {
+        if (word.length == 0 && !reader_next_word(reader, &word)) {
             return text_error(reader->error, reader->line, "the number of dimensions is missing");
         }
         if (!word_is(word, "3")) {
             return text_error(reader->error, reader->line, "a space of %s dimensions, not 3",
                               word_show(word).text);
         }
-        word = text_next_word(&reader->text);
+        word.length = 0;
     }
     return read_counts(reader, word, guess, counts);
 }
@@ -233,32 +233,28 @@ static bool read_vertex(struct model_reader *reader, const struct off_kind *kind
 
 /* ---- Faces ---- */
 
-static bool read_off_corner(struct model_reader *reader, const struct off_kind *kind,
-                            struct word word) {
-    size_t vertices = reader->model->position_count;
-    int64_t index;
-    if (!word_to_integer(word, &index)) {
-        return text_error(reader->error, reader->line, "'%s' is not the number of a vertex",
-                          word_show(word).text);
-    }
-    if (index < 0 || (uint64_t)index >= vertices) {
-        return text_error(reader->error, reader->line, "face names vertex %s of %zu (from 0)",
-                          word_show(word).text, vertices);
-    }
-    uint32_t all = (uint32_t)index; /* one number for position, texture coordinate and normal */
-    return reader_add_corner(
-        reader, (struct corner){all, kind->uv ? all : MODEL_NONE, kind->normal ? all : MODEL_NONE});
-}
-
+/* One number is that of a position, texture coordinate and normal. */
 static bool read_polygon(struct model_reader *reader, const struct off_kind *kind, size_t size) {
+    const size_t vertices = reader->model->position_count;
     reader->polygon_size = 0;
     for (size_t i = 0; i < size; i++) {
         struct word word;
+        int64_t index;
         if (!reader_next_word(reader, &word)) {
             return text_error(reader->error, reader->line, "face has %zu corners, not %zu", i,
                               size);
         }
-        if (!read_off_corner(reader, kind, word)) {
+        if (!word_to_integer(word, &index)) {
+            return text_error(reader->error, reader->line, "'%s' is not the number of a vertex",
+                              word_show(word).text);
+        }
+        if (index < 0 || (uint64_t)index >= vertices) {
+            return text_error(reader->error, reader->line, "face names vertex %s of %zu (from 0)",
+                              word_show(word).text, vertices);
+        }
+        const uint32_t all = (uint32_t)index, none = MODEL_NONE;
+        if (!reader_add_corner(
+                reader, (struct corner){all, kind->uv ? all : none, kind->normal ? all : none})) {
             return false;
         }
     }

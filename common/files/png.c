@@ -217,28 +217,27 @@ static bool next_chunk(struct png *png, const uint8_t *data, size_t size, size_t
     return true;
 }
 
+/* Of a pixel, and the depths that they may have. */
+static const struct {
+    uint8_t count, depths;
+} channels_of[] = {[COLOR_GREY] = {1, 1 | 2 | 4 | 8 | 16},
+                   [COLOR_RGB] = {3, 8 | 16},
+                   [COLOR_PALETTE] = {1, 1 | 2 | 4 | 8},
+                   [COLOR_GREY_ALPHA] = {2, 8 | 16},
+                   [COLOR_RGBA] = {4, 8 | 16}};
+
 /* 0 for a type that does not exist. */
 static size_t channel_count(unsigned color_type) {
-    static const uint8_t counts[] = {[COLOR_GREY] = 1,
-                                     [COLOR_RGB] = 3,
-                                     [COLOR_PALETTE] = 1,
-                                     [COLOR_GREY_ALPHA] = 2,
-                                     [COLOR_RGBA] = 4};
-    return color_type < sizeof counts ? counts[color_type] : 0;
+    return color_type <= COLOR_RGBA ? channels_of[color_type].count : 0;
 }
 
 static bool check_depth(const struct png *png, struct error *error) {
-    bool small = png->depth == 1 || png->depth == 2 || png->depth == 4;
-    bool packed = png->color_type == COLOR_GREY || png->color_type == COLOR_PALETTE;
+    const unsigned depth = png->depth;
     if (channel_count(png->color_type) == 0) {
         return error_set(error, "a PNG of an unknown colour type, %u", png->color_type);
     }
-    bool large = png->depth == 16 && png->color_type != COLOR_PALETTE;
-    if (png->depth != 8 && !large && !(small && packed)) {
-        return error_set(error, "a PNG of colour type %u cannot have %u bits", png->color_type,
-                         png->depth);
-    }
-    return true;
+    return ((depth & (depth - 1)) == 0 && (channels_of[png->color_type].depths & depth) != 0) ||
+           error_set(error, "a PNG of colour type %u cannot have %u bits", png->color_type, depth);
 }
 
 static bool read_ihdr(struct png *png, const struct chunk *chunk, struct error *error) {
@@ -293,8 +292,8 @@ static bool read_palette(struct png *png, const struct chunk *chunk, struct erro
  * in the wrong place is passed over, as libpng does. */
 static void read_transparency(struct png *png, const struct chunk *chunk) {
     bool palette = png->color_type == COLOR_PALETTE;
-    bool own_alpha = png->color_type == COLOR_GREY_ALPHA || png->color_type == COLOR_RGBA;
     size_t samples = channel_count(png->color_type);
+    bool own_alpha = samples % 2 == 0;
     bool right_size =
         palette ? chunk->size >= 1 && chunk->size <= png->palette_size : chunk->size == 2 * samples;
     if (own_alpha || png->has_alpha_chunk || png->seen_data || !right_size) {
@@ -370,8 +369,7 @@ static bool read_chunks(struct png *png, const uint8_t *data, size_t size, struc
 /* ---- Reading: pixels ---- */
 
 static enum image_format png_format(const struct png *png) {
-    if (png->has_alpha_chunk || png->color_type == COLOR_GREY_ALPHA ||
-        png->color_type == COLOR_RGBA) {
+    if (png->has_alpha_chunk || channel_count(png->color_type) % 2 == 0) {
         return IMAGE_BGRA;
     }
     return png->color_type == COLOR_GREY ? IMAGE_GREY : IMAGE_BGR;
@@ -569,11 +567,6 @@ static bool append_header(struct bytes *out, const struct image *image) {
            append_chunk(out, "IHDR", header, sizeof header, NULL, 0);
 }
 
-static const uint8_t *part_row(const struct part *part, size_t y) {
-    const struct image *image = part->image;
-    return image->pixels + ((part->y + y) * image->width + part->x) * (size_t)image->format;
-}
-
 /* How far the bytes of a row are from zero, counted as differences -128..127. */
 static uint32_t distance_from_zero(const uint8_t *bytes, size_t size) {
     uint32_t sum = 0; /* at most 4 * IMAGE_SIZE_LIMIT * 128 */
@@ -588,11 +581,12 @@ static uint32_t distance_from_zero(const uint8_t *bytes, size_t size) {
  * 12.7). `rows` has room for two rows and their margins, all zero,
  * `trial` for one row. */
 static void filter_rows(const struct part *part, uint8_t *rows, uint8_t *trial, uint8_t *out) {
-    size_t step = (size_t)part->image->format;
-    size_t size = part->width * step;
+    const struct image *image = part->image;
+    size_t step = (size_t)image->format, size = part->width * step;
+    const uint8_t *lowest = image->pixels + (part->y * image->width + part->x) * step;
     uint8_t *row = rows + PIXEL_LIMIT, *above = rows + 2 * PIXEL_LIMIT + size;
     for (size_t y = part->height; y-- > 0; out += 1 + size) {
-        swap_row(row, part_row(part, y), part->width, step);
+        swap_row(row, lowest + y * image->width * step, part->width, step);
         filter_row(FILTER_NONE, row, above, size, step, out + 1);
         out[0] = FILTER_NONE;
         uint32_t best = distance_from_zero(out + 1, size);
@@ -669,23 +663,14 @@ static struct part changed_part(const struct image *before, const struct image *
     size_t step = (size_t)after->format;
     size_t left = after->width, bottom = after->height;
     size_t right = 0, top = 0; /* past it */
-    for (size_t y = 0; y < after->height; y++) {
-        const uint8_t *a = before->pixels + y * after->width * step;
-        const uint8_t *b = after->pixels + y * after->width * step;
-        if (memcmp(a, b, after->width * step) == 0) {
-            continue;
+    for (size_t i = 0; i < after->width * after->height; i++) {
+        if (memcmp(before->pixels + i * step, after->pixels + i * step, step) != 0) {
+            const size_t x = i % after->width, y = i / after->width;
+            left = x < left ? x : left;
+            right = x < right ? right : x + 1;
+            bottom = y < bottom ? y : bottom;
+            top = y + 1;
         }
-        bottom = y < bottom ? y : bottom;
-        top = y + 1;
-        size_t first = 0, end = after->width;
-        while (memcmp(a + first * step, b + first * step, step) == 0) {
-            first++;
-        }
-        while (memcmp(a + (end - 1) * step, b + (end - 1) * step, step) == 0) {
-            end--;
-        }
-        left = first < left ? first : left;
-        right = end > right ? end : right;
     }
     return top == 0 ? (struct part){after, 0, 0, 1, 1}
                     : (struct part){after, left, bottom, right - left, top - bottom};
@@ -703,15 +688,6 @@ static bool append_frame_control(struct bytes *out, uint32_t sequence, const str
     return append_chunk(out, "fcTL", control, sizeof control, NULL, 0);
 }
 
-/* The compressed pixels of a frame: in IDAT for the first frame (its fcTL has number 0), in one
- * fdAT with the next number for the others. */
-static bool append_frame_pixels(struct bytes *out, uint32_t sequence, const struct bytes *pixels) {
-    uint8_t number[FRAME_NUMBER_SIZE];
-    put_u32(number, sequence + 1);
-    return append_chunk(out, sequence == 0 ? "IDAT" : "fdAT", number,
-                        sequence == 0 ? 0 : sizeof number, pixels->data, pixels->size);
-}
-
 /* Frame `index` as fcTL and pixels. The chunks before it took the sequence numbers 0, 1, 3, 5... */
 static bool append_frame(const struct image *frames, size_t index, unsigned delay_ms,
                          struct bytes *out, struct error *error) {
@@ -720,9 +696,12 @@ static bool append_frame(const struct image *frames, size_t index, unsigned dela
     part = index == 0 ? part : changed_part(&frames[index - 1], frame);
     uint32_t sequence = index == 0 ? 0 : (uint32_t)(2 * index - 1);
     struct bytes pixels = {0};
+    uint8_t number[FRAME_NUMBER_SIZE];
+    put_u32(number, sequence + 1);
     bool done = compress_pixels(&part, &pixels, error) &&
                 ((append_frame_control(out, sequence, &part, delay_ms) &&
-                  append_frame_pixels(out, sequence, &pixels)) ||
+                  append_chunk(out, index == 0 ? "IDAT" : "fdAT", number,
+                               index == 0 ? 0 : sizeof number, pixels.data, pixels.size)) ||
                  error_out_of_memory(error));
     bytes_free(&pixels);
     return done;

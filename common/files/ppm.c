@@ -21,6 +21,12 @@ static bool next_number(struct text *text, int64_t *number) {
     while (word.length == 0 && text_next_line(text)) {
         word = text_next_word(text);
     }
+    const char *comment = word.length > 0 ? memchr(word.start, '#', word.length) : NULL;
+    if (comment != NULL) { /* it needs no blank before it, and ends the line */
+        word.length = (size_t)(comment - word.start);
+        text->next = comment;
+        (void)text_find_word(text);
+    }
     return word_to_integer(word, number) && *number >= 0 && *number <= UINT16_MAX;
 }
 

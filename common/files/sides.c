@@ -10,20 +10,20 @@
 
 /* A side of a face, between two positions. */
 struct side {
-    uint32_t low, high, face;
-    bool falls; /* the face goes from `high` to `low` */
+    uint64_t ends; /* the larger one in the lower half */
+    uint32_t face;
+    bool falls; /* the face goes from that to the other */
 };
 
 static int compare_sides(const void *a, const void *b) {
     const struct side *x = a, *y = b;
-    return x->low != y->low ? (x->low > y->low) - (x->low < y->low)
-                            : (x->high > y->high) - (x->high < y->high);
+    return (x->ends > y->ends) - (x->ends < y->ends);
 }
 
 static struct side side_of(const struct model *model, uint32_t face, int i) {
     const struct corner *corner = model->faces[face].corner;
-    uint32_t a = corner[i].position, b = corner[(i + 1) % 3].position;
-    return a < b ? (struct side){a, b, face, false} : (struct side){b, a, face, true};
+    const uint64_t a = corner[i].position, b = corner[(i + 1) % 3].position;
+    return (struct side){a < b ? a << 32 | b : b << 32 | a, face, a >= b};
 }
 
 /* Faces that are known to be wound alike are a set. Each face is in two of them: by its number as
@@ -32,7 +32,7 @@ static struct side side_of(const struct model *model, uint32_t face, int i) {
 static void join_neighbours(size_t *lower, size_t faces, const struct side *sides) {
     for (size_t begin = 0, end; begin < 3 * faces; begin = end) {
         const struct side *a = &sides[begin];
-        for (end = begin + 1; end < 3 * faces && compare_sides(a, &sides[end]) == 0; end++) {
+        for (end = begin + 1; end < 3 * faces && sides[end].ends == a->ends; end++) {
         }
         if (end == begin + 2) {
             bool alike = a[0].falls != a[1].falls;

@@ -32,6 +32,21 @@ static void test_find_named(void) {
         {"photo.bmp", "photo.bmp", true, false},
         {"pic.jpg", "pic.jpg", false, false},
         {"no_ending", "no_ending.png", true, true},
+        /* Blanks as in URLs and in shells, unless a file has the name as it is written. */
+        {"two%20words.mtl", "two words.mtl", false, true},
+        {"two\\ words.mtl", "two words.mtl", false, true},
+        {"TWO%20Words.mtl # by hand", "two words.mtl", false, true},
+        {"a%20b.png", "a%20b.png", true, true},
+        {"A%20B.jpg", "a%20b.png", true, true},
+        {"file:///home/me/%4daps/p%69c.PNG", "pic.png", true, true},
+        {"/home/me/two\\ words.mtl", "two words.mtl", false, true},
+        {"maps/pic.%70ng", "pic.png", true, true},
+        {"none%20.png", "none%20.png", true, false},
+        {"both%2ejpg", "both.jpg", true, true},
+        {"pic%2.png", "pic%2.png", true, false},
+        {"%", "%", true, false},
+        {"pic.png%", "pic.png%", false, false},
+        {"two\\", "two/", false, false},
         /* Directories. */
         {"maps/Sand.png", "Maps/sand.png", true, true},
         {"MAPS\\SAND.JPG", "Maps/sand.png", true, true},
@@ -47,9 +62,10 @@ static void test_find_named(void) {
         {"two", "two", false, false},
         {"none.png # x", "none.png", true, false},
     };
-    static const char *const files[] = {"pic.png",       "both.jpg",  "both.png",     "both.tga",
-                                        "old.TGA",       "photo.jpg", "twin.png",     "TWIN.png",
-                                        "no_ending.png", "a.mtl",     "two words.mtl"};
+    static const char *const files[] = {"pic.png",       "both.jpg",  "both.png",      "both.tga",
+                                        "old.TGA",       "photo.jpg", "twin.png",      "TWIN.png",
+                                        "no_ending.png", "a.mtl",     "two words.mtl", "a b.png",
+                                        "a%20b.png"};
     struct place place = place_create();
     char directory[60], long_name[9000];
     CHECK(mkdir(name_file(&place, "Maps"), 0777) == 0 &&
@@ -79,7 +95,7 @@ static void test_find_named(void) {
     free(path);
     CHECK(unlink(name_file(&place, "Maps/sand.png")) == 0 && rmdir(name_file(&place, "Maps")) == 0);
     place_remove(&place, "pic.png,both.jpg,both.png,both.tga,old.TGA,photo.jpg,twin.png,TWIN.png,"
-                         "no_ending.png,a.mtl,two words.mtl");
+                         "no_ending.png,a.mtl,two words.mtl,a b.png,a%20b.png");
 }
 
 UNIT_MAIN(TEST(test_find_named))

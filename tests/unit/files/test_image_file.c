@@ -201,6 +201,11 @@ static void test_ppm_in(void) {
         {"P3\n2 1\n255\n1 2 3\n4 5 6", 0, "010203 040506", NULL},
         {"P3\n2 1\n7\n7 0 0 # red\n0 7 0\n", 0, "FF0000 00FF00", NULL},
         {"P2 2 1 1 0 1", 0, "000000 FFFFFF", NULL},
+        {"P2\n2# w\n 1#\n7# most\n7# one\n0#", 0, "FFFFFF 000000", NULL},
+        {"P6\n2 1# h\n255# most\nabcdef", 0, "616263 646566", NULL},
+        {"P6\n2 1\n255\n\rbcdef", 0, "0D6263 646566", NULL}, /* a level, though it looks blank */
+        {"P5 2 1 255 \n#", 0, "0A0A0A 232323", NULL},
+        {"P5\n2 1\n255#12", 0, NULL, "a PPM without a width"},
         {"P2\r\n2\t1\r\n1\r\n0\r\n1\r\n", 0, "000000 FFFFFF", NULL},
         {"P6\n2 1\n255\nabcde", 0, NULL, "a PPM cut off: 2x1 pixels do not fit"},
         {"P6\n2 1\n255", 0, NULL, "a PPM without a width"},

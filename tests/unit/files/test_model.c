@@ -382,6 +382,7 @@ static void test_messages(void) {
         {"just some words\n1 2 3", "holds no faces"},
         {SQUARE "\nf 1 2 0\n", "6: face names vertex 0: the first is 1"},
         {SQUARE "f 1 2 5\n", "5: face names vertex 5 of 4"},
+        {"f 1 2 3\n" SQUARE "f 1 2 5\n", "6: face names vertex 5 of 4"},
         {SQUARE "f 1 2 4294967296\n", "5: face names vertex 4294967296 of 4"},
         {SQUARE "f 1 2 -4294967295\n", "5: face names vertex -4294967295 of 4"},
         {SQUARE "f 1 2 18446744073709551617", "5: face names vertex 18446744073709551617 of 4"},
@@ -665,7 +666,8 @@ static void test_other_names(void) {
         enum model_texture_kind kind;
     } rows[] = {
         {"a_basecolor.PNG", MODEL_DIFFUSE},     {"a_basecolor.tga", MODEL_DIFFUSE},
-        {"a_albedo.png", MODEL_DIFFUSE},        {"a_diffuse.Png", MODEL_DIFFUSE},
+        {"a_albedo.png", MODEL_DIFFUSE},        {"a_diffuse.PGM", MODEL_DIFFUSE},
+        {"a_diffuse.ppm", MODEL_DIFFUSE},       {"a_diffuse.Png", MODEL_DIFFUSE},
         {"a_diffuse.TGA", MODEL_DIFFUSE},       {"a_normal_tangent.png", MODEL_NORMAL_MAP},
         {"a_nm_tangent.tga", MODEL_NORMAL_MAP}, {"a_normal.png", MODEL_NORMAL_MAP},
         {"a_nm.PNG", MODEL_NORMAL_MAP},         {"a_specular.TGA", MODEL_SPECULAR},
@@ -686,8 +688,8 @@ static void test_other_names(void) {
         if (CHECK_ROW(texture != NULL, rows[i].name)) {
             CHECK_ROW((texture->level[0].texels[0] & 0xFF) == i + 1, rows[i].name);
         }
-        CHECK(m.textures[MODEL_NORMAL_MAP].tangent_space == (i == 5 || i == 6));
-        CHECK(model_textures_present(&m) == (i < 5 ? 1 : i < 9 ? 2 : 3));
+        CHECK(m.textures[MODEL_NORMAL_MAP].tangent_space == (i == 7 || i == 8));
+        CHECK(model_textures_present(&m) == (i < 7 ? 1 : i < 11 ? 2 : 3));
         model_free(&m);
     }
     for (size_t i = 0; i < COUNT; i++) {

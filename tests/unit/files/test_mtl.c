@@ -165,8 +165,6 @@ static void test_statements(void) {
                  (double)a->scale[1], (double)a->offset[0], (double)a->offset[1], (double)a->bump);
         CHECK_TEXT(look, rows[i].look);
         CHECK_TEXT(numbers, rows[i].numbers);
-        bool warned = a->glassy && !a->hidden;
-        CHECK_ROW(m.warning_line[MODEL_GLASSY] == (warned ? 5 : 0), rows[i].text);
         free(copy);
         model_free(&m);
     }
@@ -233,19 +231,25 @@ static void test_files(void) {
 static void test_names(void) {
     static const struct {
         const char *model, *materials, *known, *missing;
+        size_t glass; /* the line of the warning */
     } rows[] = {
-        {"usemtl m\nf 1 2 3\n", "newmtl m\n", "1", NULL},
-        {"usemtl m # skin\nf 1 2 3\n", "newmtl m\n", "1", NULL},
-        {"usemtl m\nf 1 2 3\n", "newmtl m # skin\n", "1", NULL},
+        {"usemtl m\nf 1 2 3\n", "newmtl m\n", "1", NULL, 0},
+        {"usemtl m\nf 1 2 3\nusemtl o\nf 1 2 3\n", "newmtl o\nd .5\nnewmtl m\nd 1\n", "11", NULL,
+         11},
+        {"usemtl m\nf 1 2 3\nusemtl o\nf 1 2 3\n", "newmtl m\nd .5\nnewmtl o\nd .1\n", "11", NULL,
+         9},
+        {"usemtl m\nf 1 2 3\n", "newmtl m\nd .5\nd 0\n", "1", NULL, 0},
+        {"usemtl m # skin\nf 1 2 3\n", "newmtl m\n", "1", NULL, 0},
+        {"usemtl m\nf 1 2 3\n", "newmtl m # skin\n", "1", NULL, 0},
         {"usemtl Material #25\nf 1 2 3\nusemtl Material #26\nf 1 2 3\n",
-         "newmtl Material #26\nnewmtl Material #25\n", "11", NULL},
+         "newmtl Material #26\nnewmtl Material #25\n", "11", NULL, 0},
         {"usemtl Material #25\nf 1 2 3\nusemtl Material #26\nf 1 2 3\n",
-         "newmtl Material #25\nnewmtl Material #27\n", "10", "11: Material #26"},
-        {"usemtl two words\nf 1 2 3\n", "newmtl two words \n", "1", NULL},
-        {"usemtl n\nf 1 2 3\nusemtl o\nf 1 2 3\n", "newmtl m\n", "00", "9: n"},
-        {"usemtl m\nf 1 2 3\nusemtl o\nf 1 2 3\n", "newmtl m\n", "10", "11: o"},
+         "newmtl Material #25\nnewmtl Material #27\n", "10", "11: Material #26", 0},
+        {"usemtl two words\nf 1 2 3\n", "newmtl two words \n", "1", NULL, 0},
+        {"usemtl n\nf 1 2 3\nusemtl o\nf 1 2 3\n", "newmtl m\n", "00", "9: n", 0},
+        {"usemtl m\nf 1 2 3\nusemtl o\nf 1 2 3\n", "newmtl m\n", "10", "11: o", 0},
         {"usemtl None\nf 1 2 3\nusemtl (null)\nf 1 2 3\nusemtl\nf 1 2 3\n", "newmtl m\n", "000",
-         NULL},
+         NULL, 0},
     };
     struct place place = place_create();
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
@@ -261,6 +265,7 @@ static void test_names(void) {
             }
             CHECK_TEXT(known, rows[i].known);
             CHECK(m.warning_line[MODEL_LIBRARY_MISSING] == 0);
+            CHECK_ROW(m.warning_line[MODEL_GLASSY] == rows[i].glass, rows[i].materials);
             const size_t line = m.warning_line[MODEL_MATERIAL_MISSING];
             snprintf(missing, sizeof missing, "%zu: %s", line,
                      line > 0 ? m.warning_name[MODEL_MATERIAL_MISSING] : "");
