@@ -57,5 +57,5 @@ silent() {
 
 # pages LESSON: those with tasks, one a line.
 pages() {
-    grep -lE '^(####? Tasks? |- \*\*[0-9]+[a-z]?\.[0-9])' "$1"/*.md
+    grep -l '^### Task ' "$1"/*.md
 }

@@ -46,6 +46,31 @@ for name in $(grep -oE '`[a-z_]+\(\)`' step09_shaders/PIPELINE.md | tr -d '`()' 
     grep -rqw "$name" common step0[89]_*/main.c || wrong "PIPELINE.md names $name(), which isn't there"
 done
 
+# On the pages with tasks each task has a heading, which names it as its marks do, and then its lines and minutes. Before
+# the questions each page says what one can do now, and no level of headings is left out.
+for lesson in step*; do
+    # shellcheck disable=SC2046 # one word a page
+    awk -v mode=tasks -f tests/student/marks.awk "$lesson/main.c" | awk -F '\t' '
+        function wrong(what) { print FILENAME ":" FNR ": " what; failed = 1 }
+        FILENAME == "-" { title[$1] = $2; next }
+        /^##/ { level = index($0, " ") - 1; if (level > last + 1) wrong("a level is left out: " $0); last = level }
+        /^# / { last = 1 }
+        /^## Questions$/ && part_before != "## What you can do now" { wrong("after " part_before) }
+        /^## / { part_before = $0 }
+        /^### Task / {
+            split(substr($0, 10), part, ": ")
+            sub(/, .*/, "", part[2])
+            if (title[part[1]] != part[2]) wrong("\"" title[part[1]] "\" in main.c: " $0)
+            told[part[1]] = FNR + 2
+            form = FNR + 2
+        }
+        FNR == form && !/^\*[0-9].* minutes\.\* / { wrong("not `*N lines, N minutes.* ...`: " $0) }
+        END {
+            for (task in title) if (!(task in told)) wrong("no heading of task " task)
+            exit failed
+        }' - $(pages "$lesson") || failed=1
+done
+
 # The version, where it stands; and the tasks of each lesson on the page for a semester, with the hours of the map.
 version=$(sed -n 's/^#define COURSE_VERSION "\(.*\)"/\1/p' common/run/options.h)
 grep -q "version $version, 20" README.md || wrong "README.md does not say how to cite version $version"
