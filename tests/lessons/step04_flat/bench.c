@@ -130,7 +130,7 @@ static const struct bench_version attempt_versions[] = {
 static const struct bench_panel faces_panels[] = {
     {
         .title = "The attempts: the faces of the bust, lit from four directions",
-        .error_label = "largest error in grey levels",
+        .error_label = "largest error in grey values",
         .time_label = "ns per face",
         .against = "long double",
         .house_within = 1e-12,

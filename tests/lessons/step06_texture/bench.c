@@ -362,7 +362,7 @@ static const struct bench_version perspective_versions[] = {
 /* The picture of a target; what else a panel has comes behind. */
 #define PANEL(target, list, ...)                                                                   \
     {                                                                                              \
-        .error_label = "levels, root mean square", .time_label = "ns per pixel", .on = (target),   \
+        .error_label = "values, root mean square", .time_label = "ns per pixel", .on = (target),   \
         .run = run, .error = error_of, .units = &targets[target].pixels, BENCH_VERSIONS(list),     \
         __VA_ARGS__                                                                                \
     }

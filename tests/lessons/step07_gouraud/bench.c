@@ -211,7 +211,7 @@ static const struct bench_version sphere_versions[] = {
 
 #define SPHERES(heading, kind)                                                                     \
     {                                                                                              \
-        .title = (heading), .error_label = "levels, root mean square",                             \
+        .title = (heading), .error_label = "values, root mean square",                             \
         .time_label = "ns per pixel", .against = "the true sphere, long double", .run = run,       \
         .error = error_of, .units = &work.pixels, .on = LIGHT(kind),                               \
         BENCH_VERSIONS(sphere_versions),                                                           \

@@ -471,7 +471,7 @@ static const struct bench_version detail_versions[] = {
 
 static const struct bench_panel bench_panels[] = {
     {.title = "Pixels of the bust's highlights, power 80",
-     .error_label = "levels, root mean square",
+     .error_label = "values, root mean square",
      .time_label = "ns per pixel",
      .against = "Phong's formula, long double",
      .run = run_power,
@@ -480,7 +480,7 @@ static const struct bench_panel bench_panels[] = {
      BENCH_VERSIONS(power_versions),
      .house_within = 0.05},
     {.title = "A rippled sphere: a finer mesh or a normal map",
-     .error_label = "levels, root mean square",
+     .error_label = "values, root mean square",
      .time_label = "ms per frame",
      .against = "the true surface, long double",
      .run = run_detail,

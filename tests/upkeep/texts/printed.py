@@ -12,7 +12,7 @@ What a text says of its chart is in a line before the paragraph, and rounds to w
     <!-- chart 2: 3 to 7 = box | blocks / spans; 3.52 = spans; 24 = error of box -->
 
 Panel 2 of figures/bench.svg has versions whose names begin so. `3 to 7` are the least and the largest
-of the times, here divided by another one; in the paragraph a number may be a word.
+of the times, here divided by another one; in the paragraph, or table, a number may be a word, 0.2 "a fifth".
 
     printed.py BUILD        after `make figures` or `make lesson-figures` with that BUILD
 
@@ -27,7 +27,8 @@ top = pathlib.Path(__file__).parents[3]
 wrong = []
 checked = 0
 WORDS = {"2": "two", "3": "three", "4": "four", "5": "five", "6": "six", "7": "seven", "8": "eight",
-         "9": "nine", "10": "ten"}
+         "9": "nine", "10": "ten", "0.1": "a tenth", "0.2": "a fifth", "0.4": "two fifths", "0.5": "half|halves",
+         "0.6": "three fifths", "0.8": "four fifths"}
 
 
 def numbers_of(text):
