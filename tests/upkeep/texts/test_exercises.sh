@@ -57,8 +57,8 @@ says $2
 END
 }
 {
-    divided_every 16 'room FAIL 2/3: 0.5 % of drawn pixels of another colour there|mipmapped FAIL 3/3: 3.4 % of drawn pixels wrong'
-    divided_every 8 'room FAIL 2/3: 0.12 % of drawn pixels of another colour there|mipmapped FAIL 3/3: 0.5 % of drawn pixels wrong'
+    divided_every 16 'room FAIL 2/3: 0.5 % of drawn pixels with another colour|mipmapped FAIL 3/3: 3.4 % of drawn pixels wrong'
+    divided_every 8 'room FAIL 2/3: 0.12 % of drawn pixels with another colour|mipmapped FAIL 3/3: 0.5 % of drawn pixels wrong'
     divided_every 4 'room PASS 3/3: 0.03 % differ (75 pixels)|mipmapped PASS 3/3: 6.9 % differ (18,209 pixels)'
     cat <<'END'
 
