@@ -34,7 +34,7 @@ function name_of(heading) {
     return heading (named[heading]++ ? "-" named[heading] - 1 : "")
 }
 
-# A heading begins a section. No level is left out: a task below a part is one level below it.
+# A heading begins a section.
 function heading(line,    level, name) {
     level = substr(line, 3, 1)
     name = name_of(line)
@@ -42,8 +42,6 @@ function heading(line,    level, name) {
     section = page (level > 1 ? "#" name : "")
     section_title = level > 1 ? plain(line) : ""
     if (level == 2) sections = sections "<li><a href=\"#" name "\">" plain(line) "</a></li>\n"
-    if (level < 4) above = level
-    else if (above < 3) gsub(/h4>/, "h" above + 1 ">", line)
     sub(/>/, " id=\"" name "\">", line)
     return line
 }

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Three figures that no program draws: are their curves, tips and numbers those of the formulas?
+# Four figures that no program draws: are their curves, tips and numbers those of the formulas?
 # shellcheck disable=SC2016 # the dollars are those of awk
 . "$(dirname "$0")/../../unit/script.sh"
 
@@ -49,6 +49,15 @@ hand step10_phong/figures/chord.svg 14 '
         near("y", p[2], 205 - y * scale)
     }
     END { says(sprintf(">%.2f<", cos(half))); says(">1.00<") }'
+
+# The steps (0.25, 0) and (0, 1) on a texture of 16 x 8 texels, each 22 wide.
+hand step06_texture/figures/steps.svg 6 '
+    / full" d=/ { points($0); dx[++steps] = p[3] - p[1]; dy[steps] = p[2] - p[4] }
+    END {
+        near("right", dx[1], 0.25 * 16 * 22); near("right", dy[1], 0)
+        near("up", dx[2], 0); near("up", dy[2], 1 * 8 * 22)
+        says("0.25 * 16 = 4 texels"); says(sprintf("level %d<", log(64) / log(2) / 2))
+    }'
 
 # n upwards, l, and r = 2 (n . l) n - l, each 170 long, from (300, 220); the foot of l on n.
 hand step07_gouraud/figures/foot.svg 8 '
