@@ -1,7 +1,6 @@
 /* The frame of what `make renderer` writes: see renderer.awk. What stands here is given; a comment
  * with an @ says where the functions of a lesson go. */
 #include <assert.h>
-#include <ctype.h>
 #include <math.h>
 #include <stdbool.h>
 #include <stdint.h>
@@ -21,8 +20,7 @@ static struct vec4 mat4_point(const struct mat4 *a, struct vec3 p) {
     return (struct vec4){to[0], to[1], to[2], to[3]};
 }
 
-/* A depth inside a triangle: three equal ones give this very depth, also where the sum of the
- * weights is rounded. */
+/* A depth inside a triangle, exact where all three are equal. */
 static double interpolate_depth(struct vec3 weight, double a, double b, double c) {
     return a + weight.y * (b - a) + weight.z * (c - a);
 }
@@ -45,24 +43,28 @@ static struct vec2 turn_direction(double turns) {
     return (struct vec2){cos(turns * 6.283185307179586), sin(turns * 6.283185307179586)};
 }
 
-/* @frame: images, textures, models (given) */
+/* @frame: images, textures, models, and their files (given) */
 
-/* Memory for so many things, those of `old` first. Where there is none, the program ends. */
+static _Noreturn void fail(const char *problem, const char *path) {
+    fprintf(stderr, "renderer: %s%s\n", problem, path);
+    exit(1);
+}
+
+/* Memory for so many things, those of `old` first. */
 static void *memory(void *old, size_t count, size_t size) {
     void *larger = count <= SIZE_MAX / size ? realloc(old, count * size) : NULL;
     if (larger == NULL) {
-        fprintf(stderr, "renderer: out of memory\n");
-        exit(1);
+        fail("out of memory", "");
     }
     return larger;
 }
 
-enum image_format { IMAGE_GREY = 1, IMAGE_BGR = 3, IMAGE_BGRA = 4 }; /* bytes of a pixel */
+enum image_format { IMAGE_GREY = 1, IMAGE_BGR = 3 }; /* bytes of a pixel */
 
 struct image {
     size_t width, height;
     enum image_format format;
-    uint8_t *pixels; /* blue, green, red, alpha; row by row from the bottom */
+    uint8_t *pixels; /* grey, or blue, green, red; row by row from the bottom */
 };
 
 /* False where there is no such pixel. */
@@ -80,9 +82,9 @@ struct texture_level {
     uint32_t *texels; /* blue | green << 8 | red << 16 | alpha << 24 */
 };
 
-/* There is one level, made as small as the picture needs it. */
+/* Its only level is made as small as the picture needs it. */
 struct texture {
-    size_t level_count;
+    size_t level_count; /* 0 where there is no file */
     struct texture_level level[1];
     bool clamp;
 };
@@ -92,9 +94,7 @@ static struct vec4 channels_from_texel(uint32_t texel) {
     return (struct vec4){texel >> 16 & 255, texel >> 8 & 255, texel & 255, texel >> 24};
 }
 
-#define MODEL_NONE UINT32_MAX /* a corner without this attribute */
-
-/* Indices into the model's lists. */
+/* Indices into the model's lists, which begin with a zero: that is what is left out. */
 struct corner {
     uint32_t position, uv, normal;
 };
@@ -103,15 +103,14 @@ struct face {
     struct corner corner[3]; /* counterclockwise as seen from outside */
 };
 
-/* A texture coordinate (x,y), or a normal. */
-struct attribute {
-    float x, y, z;
+struct uv {
+    float x, y;
 };
 
 struct model {
     size_t position_count, uv_count, normal_count, face_count;
-    struct vec3 *positions;
-    struct attribute *uvs, *normals;
+    struct vec3 *positions, *normals;
+    struct uv *uvs;
     struct face *faces;
 };
 
@@ -120,24 +119,15 @@ static struct vec3 model_position(const struct model *model, size_t face, size_t
 }
 
 static struct vec2 model_uv(const struct model *model, size_t face, size_t corner) {
-    const uint32_t i = model->faces[face].corner[corner].uv;
-    if (i == MODEL_NONE) {
-        return (struct vec2){0};
-    }
-    return (struct vec2){model->uvs[i].x, model->uvs[i].y};
+    const struct uv uv = model->uvs[model->faces[face].corner[corner].uv];
+    return (struct vec2){uv.x, uv.y};
 }
 
 static struct vec3 model_normal(const struct model *model, size_t face, size_t corner) {
-    const uint32_t i = model->faces[face].corner[corner].normal;
-    if (i == MODEL_NONE) {
-        return (struct vec3){0};
-    }
-    return (struct vec3){model->normals[i].x, model->normals[i].y, model->normals[i].z};
+    return model->normals[model->faces[face].corner[corner].normal];
 }
 
 /* @common texture bilinear model faces: */
-
-/* @frame: files: TGA and OBJ (given) */
 
 /* Grey, 24 and 32 bits, raw or run-length coded, from any corner. False for others. */
 static bool tga_read(struct texture_level *level, FILE *file) {
@@ -175,26 +165,17 @@ static bool tga_read(struct texture_level *level, FILE *file) {
     return true;
 }
 
-/* 24 bits, run-length coded; no packet crosses a row. */
-static bool tga_write(const struct image *image, const char *path) {
-    const size_t w = image->width, h = image->height, bytes = image->format, colors = bytes > 1;
-    const uint8_t header[18] = {[2] = 10,       [12] = w & 255,      [13] = w >> 8 & 255,
-                                [14] = h & 255, [15] = h >> 8 & 255, [16] = 24};
+/* Grey of 8 bits, or colours of 24. */
+static void tga_write(const struct image *image, const char *path) {
+    const size_t w = image->width, h = image->height, bytes = image->format;
+    const uint8_t kind = bytes == 1 ? 3 : 2, bits = 8 * bytes & 255;
+    const uint8_t head[18] = {[2] = kind,     [12] = w & 255,      [13] = w >> 8 & 255,
+                              [14] = h & 255, [15] = h >> 8 & 255, [16] = bits};
     FILE *file = fopen(path, "wb");
-    if (file == NULL) {
-        return false;
+    if (file == NULL || fwrite(head, sizeof head, 1, file) != 1 ||
+        fwrite(image->pixels, bytes * w, h, file) != h || fclose(file) != 0) {
+        fail("cannot write ", path);
     }
-    fwrite(header, 1, sizeof header, file);
-    for (size_t i = 0, run; i < w * h; i += run) {
-        const uint8_t *p = image->pixels + bytes * i;
-        for (run = 1; run < 128 && (i + run) % w != 0 && memcmp(p, p + bytes * run, bytes) == 0;) {
-            run++;
-        }
-        const uint8_t packet[4] = {(uint8_t)(run + 127), p[0], p[colors], p[2 * colors]};
-        fwrite(packet, 1, sizeof packet, file);
-    }
-    const bool failed = ferror(file);
-    return fclose(file) == 0 && !failed;
 }
 
 /* Half the width and height, each texel the mean of four. */
@@ -215,18 +196,18 @@ static void halve(struct texture_level *level) {
     free(from.texels);
 }
 
-/* "head.obj" and "_nm.tga" are the file head_nm.tga, which is to cover so many pixels.
- * Where there is none it is one white texel, and false is returned. */
-static bool texture_read(struct texture *texture, const char *model, const char *ending,
+/* "head.obj" and "_nm.tga" are the file head_nm.tga, which is to cover so many pixels. Where there
+ * is none, the texture is one white texel. */
+static void texture_read(struct texture *texture, const char *model, const char *ending,
                          double pixels) {
     char path[4096];
     const char *dot = strrchr(model, '.');
     const int length = dot != NULL ? (int)(dot - model) : (int)strlen(model);
     snprintf(path, sizeof path, "%.*s%s", length, model, ending);
     FILE *file = fopen(path, "rb");
-    *texture = (struct texture){.level_count = 1};
-    const bool read = file != NULL && tga_read(texture->level, file);
-    if (!read) {
+    texture->clamp = false;
+    texture->level_count = file != NULL && tga_read(texture->level, file);
+    if (texture->level_count == 0) {
         *texture->level = (struct texture_level){1, 1, 1, memory(NULL, 1, sizeof(uint32_t))};
         *texture->level->texels = UINT32_MAX;
     }
@@ -236,7 +217,6 @@ static bool texture_read(struct texture *texture, const char *model, const char 
     if (file != NULL) {
         fclose(file);
     }
-    return read;
 }
 
 /* The list with room for one more behind `count`: doubled at each power of two. */
@@ -244,15 +224,16 @@ static void *with_room(void *list, size_t count, size_t size) {
     return (count & (count - 1)) == 0 ? memory(list, count > 0 ? 2 * count : 1, size) : list;
 }
 
-#define ADD(list, count, ...)                                                                      \
-    ((list) = with_room(list, count, sizeof *(list)), (list)[(count)++] = __VA_ARGS__)
+#define ADD(m, item, ...)                                                                          \
+    ((m)->item##s = with_room((m)->item##s, (m)->item##_count, sizeof *(m)->item##s),              \
+     (m)->item##s[(m)->item##_count++] = __VA_ARGS__)
 
 /* An index as files have it, from 1 or, if negative, from the last one; and the slash behind it. */
 static uint32_t read_index(char **at, size_t count) {
     long long i = strtoll(*at, at, 10);
     *at += **at == '/';
-    i = i < 0 ? (long long)count + i : i - 1;
-    return i >= 0 && (size_t)i < count ? (uint32_t)i : MODEL_NONE;
+    i = i < 0 ? (long long)count + i : i;
+    return i > 0 && i < (long long)count ? (uint32_t)i : 0;
 }
 
 /* A polygon becomes a fan of triangles, up to a corner that cannot be read. */
@@ -263,58 +244,37 @@ static void read_face(struct model *model, char *words) {
         corner.position = read_index(&at, model->position_count);
         corner.uv = read_index(&at, model->uv_count);
         corner.normal = read_index(&at, model->normal_count);
-        if (corner.position == MODEL_NONE || *at != '\0') {
+        if (corner.position == 0 || *at != '\0') {
             return;
         }
         first = i == 0 ? corner : first;
         if (i >= 2) {
-            ADD(model->faces, model->face_count, (struct face){{first, last, corner}});
+            ADD(model, face, (struct face){{first, last, corner}});
         }
-    }
-}
-
-/* Of a broken file, a number that nothing can be computed with. */
-static double usable(double x) {
-    return fabs(x) <= 1e30 ? x : 0;
-}
-
-/* One line: v, vt, vn or f; others say nothing here. */
-static void read_line(struct model *model, char *line) {
-    double x = 0, y = 0, z = 0;
-    if (sscanf(line, "v %lf %lf %lf", &x, &y, &z) > 0) {
-        ADD(model->positions, model->position_count,
-            (struct vec3){usable(x), usable(y), usable(z)});
-    } else if (sscanf(line, "vt %lf %lf", &x, &y) > 0) {
-        ADD(model->uvs, model->uv_count, (struct attribute){(float)usable(x), (float)usable(y), 0});
-    } else if (sscanf(line, "vn %lf %lf %lf", &x, &y, &z) > 0) {
-        ADD(model->normals, model->normal_count,
-            (struct attribute){(float)usable(x), (float)usable(y), (float)usable(z)});
-    } else if (line[0] == 'f' && isspace((unsigned char)line[1])) {
-        read_face(model, line + 1);
     }
 }
 
 /* Normals of positions, the sums of those of the faces there, for a file that has none. */
 static void make_normals(struct model *model) {
     while (model->normal_count < model->position_count) {
-        ADD(model->normals, model->normal_count, (struct attribute){0});
+        ADD(model, normal, (struct vec3){0});
     }
     for (size_t i = 0; i < 3 * model->face_count; i++) {
         struct corner *corner = &model->faces[i / 3].corner[i % 3];
         const struct vec3 a = model_position(model, i / 3, 0);
         const struct vec3 n = vec3_cross(vec3_sub(model_position(model, i / 3, 1), a),
                                          vec3_sub(model_position(model, i / 3, 2), a));
-        struct attribute *sum = &model->normals[corner->position];
+        struct vec3 *sum = &model->normals[corner->position];
         corner->normal = corner->position;
-        sum->x += (float)n.x, sum->y += (float)n.y, sum->z += (float)n.z;
+        *sum = (struct vec3){sum->x + n.x, sum->y + n.y, sum->z + n.z};
     }
 }
 
 /* Into -1..1, where the model is far outside of that or tiny. */
 static void model_fit(struct model *model) {
-    struct vec3 least = model->positions[0], most = least;
+    struct vec3 least = model->positions[1], most = least;
     double reach = 0;
-    for (size_t i = 0; i < model->position_count; i++) {
+    for (size_t i = 1; i < model->position_count; i++) {
         const struct vec3 p = model->positions[i];
         least = (struct vec3){fmin(least.x, p.x), fmin(least.y, p.y), fmin(least.z, p.z)};
         most = (struct vec3){fmax(most.x, p.x), fmax(most.y, p.y), fmax(most.z, p.z)};
@@ -322,39 +282,46 @@ static void model_fit(struct model *model) {
     }
     const struct vec3 size = vec3_sub(most, least);
     const double longest = fmax(size.x, fmax(size.y, size.z));
-    for (size_t i = 0; i < model->position_count; i++) {
-        if (longest > 0 && (reach > 1 || longest < 0.2)) {
+    for (size_t i = 1; i < model->position_count && longest > 0; i++) {
+        if (reach > 1 || longest < 0.2) {
             const struct vec3 p = vec3_sub(model->positions[i], least);
             model->positions[i] = vec3_scale(vec3_sub(p, vec3_scale(size, 0.5)), 1.9 / longest);
         }
     }
 }
 
-/* False where it has no face. */
-static bool model_read(struct model *model, const char *path) {
+static void model_read(struct model *model, const char *path) {
     char line[65536];
     FILE *file = fopen(path, "rb");
     *model = (struct model){0};
+    ADD(model, position, (struct vec3){0});
+    ADD(model, uv, (struct uv){0});
+    ADD(model, normal, (struct vec3){0});
     while (file != NULL && fgets(line, sizeof line, file) != NULL) {
-        read_line(model, line);
+        char kind[3] = "";
+        struct vec3 v = {0};
+        sscanf(line, "%2s %lf %lf %lf", kind, &v.x, &v.y, &v.z);
+        if (!(vec3_dot(v, v) <= 1e60)) { /* a broken file's */
+            v = (struct vec3){0};
+        }
+        if (strcmp(kind, "v") == 0) {
+            ADD(model, position, v);
+        } else if (strcmp(kind, "vt") == 0) {
+            ADD(model, uv, (struct uv){(float)v.x, (float)v.y});
+        } else if (strcmp(kind, "vn") == 0) {
+            ADD(model, normal, v);
+        } else if (strcmp(kind, "f") == 0) {
+            read_face(model, strchr(line, 'f') + 1);
+        }
     }
-    if (file != NULL) {
-        fclose(file);
+    if (model->face_count == 0) {
+        fail("cannot read a model from ", path);
     }
-    if (model->face_count > 0) {
-        model_fit(model);
-    }
-    if (model->normal_count == 0) {
+    fclose(file);
+    if (model->normal_count == 1) {
         make_normals(model);
     }
-    return model->face_count > 0;
-}
-
-static void model_free(struct model *model) {
-    free(model->positions);
-    free(model->uvs);
-    free(model->normals);
-    free(model->faces);
+    model_fit(model);
 }
 
 /* @lesson step01_line line: a line */
@@ -406,23 +373,21 @@ static struct lanes3 texture_lanes(const struct texture *texture, struct lanes2 
     return (struct lanes3){(real)c.x, (real)c.y, (real)c.z};
 }
 
-/* It also asks for the texels of several textures before it mixes any. */
+/* Lesson 10 also fetches the texels of several textures before it mixes any. */
 struct texels {
     struct lanes3 mixed;
 };
 
-#define texel_place        lanes2
-#define texels_mix(texels) ((texels)->mixed)
-#define texture_fetch(texture, uv, level, place)                                                   \
-    ((void)(place), (struct texels){texture_lanes(texture, uv, level)})
+#define texel_place                    lanes2
+#define texels_mix(fetched)            ((fetched)->mixed)
+#define texture_fetch(t, uv, level, p) ((void)(p), (struct texels){texture_lanes(t, uv, level)})
+#define SHADER(name, ...)              static const struct shader name = {__VA_ARGS__}
 
 struct shader {
     size_t varying_count;
     void (*vertex)(const void *uniforms, size_t face, size_t corner, double *varyings);
     lanes_mask (*fragment)(const void *uniforms, const lanes *varyings, lanes_texel *color);
 };
-
-#define SHADER(name, ...) static const struct shader name = {__VA_ARGS__}
 
 /* @common pipeline: */
 
@@ -431,7 +396,7 @@ struct shader {
 
 /* @lesson step10_phong struct.uniforms textured weight_mapped turning_light: Phong */
 
-/* @frame: clipping and looks (given) */
+/* @frame: clipping, looks, the program (given) */
 
 /* Add a corner between those of a face. */
 static struct corner add_corner(struct model *model, size_t face, struct vec3 weight) {
@@ -439,58 +404,48 @@ static struct corner add_corner(struct model *model, size_t face, struct vec3 we
     struct vec2 uv[3];
     for (size_t i = 0; i < 3; i++) {
         p[i] = model_position(model, face, i);
-        n[i] = model_normal(model, face, i);
         uv[i] = model_uv(model, face, i);
+        n[i] = model_normal(model, face, i);
     }
-    const struct vec3 normal = vec3_interpolate(weight, n[0], n[1], n[2]);
-    ADD(model->positions, model->position_count, vec3_interpolate(weight, p[0], p[1], p[2]));
-    ADD(model->uvs, model->uv_count,
-        (struct attribute){(float)interpolate(weight, uv[0].x, uv[1].x, uv[2].x),
-                           (float)interpolate(weight, uv[0].y, uv[1].y, uv[2].y), 0});
-    ADD(model->normals, model->normal_count,
-        (struct attribute){(float)normal.x, (float)normal.y, (float)normal.z});
+    ADD(model, position, vec3_interpolate(weight, p[0], p[1], p[2]));
+    ADD(model, uv,
+        (struct uv){(float)interpolate(weight, uv[0].x, uv[1].x, uv[2].x),
+                    (float)interpolate(weight, uv[0].y, uv[1].y, uv[2].y)});
+    ADD(model, normal, vec3_interpolate(weight, n[0], n[1], n[2]));
     return (struct corner){(uint32_t)model->position_count - 1, (uint32_t)model->uv_count - 1,
                            (uint32_t)model->normal_count - 1};
 }
 
-/* What is left of a face that must be cut; nothing of others. */
-static struct polygon clip_face(const struct draw_call *call, size_t face) {
-    struct polygon polygon = {.count = 3};
-    unsigned all = ~0u, any = 0;
-    for (size_t i = 0; i < 3; i++) {
-        const struct vec4 clip = mat4_point(&call->to_clip, model_position(call->model, face, i));
-        polygon.corner[i] = (struct clip_corner){clip, {i == 0, i == 1, i == 2}};
-        all &= find_beyond(clip);
-        any |= find_beyond(clip);
-    }
-    if (all != 0 || (any & (BEYOND_NEAR | BEYOND_GUARD_BAND)) == 0) {
-        polygon.count = 0;
-    }
-    for (int plane = 0; plane < CLIP_PLANES && polygon.count > 0; plane++) {
-        polygon = clip_at_plane(&polygon, plane);
-    }
-    return polygon;
-}
-
-/* What is left of cut faces becomes faces of the model, whose counts the caller keeps. */
+/* What is left of the faces that must be cut becomes faces of the model. */
 static void add_clipped(struct model *model, const struct draw_call *call) {
-    for (size_t i = 0, count = model->face_count; i < count; i++) {
-        const struct polygon polygon = clip_face(call, i);
+    for (size_t face = 0, count = model->face_count; face < count; face++) {
+        struct polygon polygon = {.count = 3};
         struct corner corner[POLYGON_LIMIT];
-        for (size_t k = 0; k < polygon.count; k++) {
-            corner[k] = add_corner(model, i, polygon.corner[k].weight);
+        unsigned all = ~0u, any = 0;
+        for (size_t i = 0; i < 3; i++) {
+            const struct vec4 clip = mat4_point(&call->to_clip, model_position(model, face, i));
+            polygon.corner[i] = (struct clip_corner){clip, {i == 0, i == 1, i == 2}};
+            all &= find_beyond(clip);
+            any |= find_beyond(clip);
         }
-        for (size_t k = 2; k < polygon.count; k++) {
-            ADD(model->faces, model->face_count,
-                (struct face){{corner[0], corner[k - 1], corner[k]}});
+        if (all != 0 || (any & (BEYOND_NEAR | BEYOND_GUARD_BAND)) == 0) {
+            continue;
+        }
+        for (int plane = 0; plane < CLIP_PLANES; plane++) {
+            polygon = clip_at_plane(&polygon, plane);
+        }
+        for (size_t i = 0; i < polygon.count; i++) {
+            corner[i] = add_corner(model, face, polygon.corner[i].weight);
+            if (i >= 2) {
+                ADD(model, face, (struct face){{corner[0], corner[i - 1], corner[i]}});
+            }
         }
     }
 }
 
 enum look { LOOK_PHONG, LOOK_TOON, LOOK_GOURAUD, LOOK_FLAT, LOOK_DEPTH, LOOK_LINES, LOOKS };
 
-static const char *const look_names[LOOKS] = {"phong", "toon",  "gouraud",
-                                              "flat",  "depth", "wireframe"};
+static const char *const looks[LOOKS] = {"phong", "toon", "gouraud", "flat", "depth", "wireframe"};
 
 /* What the shader below is given, and those of lesson 10. */
 struct frame {
@@ -514,7 +469,6 @@ static void look_vertex(const void *frame, size_t face, size_t corner, double *v
 
 static bool look_pixel(const void *frame, const double *varyings, struct vec3 *rgb) {
     const struct frame *f = frame;
-    lanes numbers[VARYING_LIMIT];
     lanes_texel texel = 0;
     if (f->look == LOOK_TOON) {
         return toon_pixel(&f->uniforms, varyings, rgb);
@@ -523,6 +477,7 @@ static bool look_pixel(const void *frame, const double *varyings, struct vec3 *r
         *rgb = vec3_scale((struct vec3){255, 255, 255}, varyings[0]);
         return true;
     }
+    lanes numbers[VARYING_LIMIT];
     for (size_t i = 0; i < f->phong->varying_count; i++) {
         numbers[i] = (real)varyings[i];
     }
@@ -531,42 +486,36 @@ static bool look_pixel(const void *frame, const double *varyings, struct vec3 *r
     return drawn;
 }
 
-/* Find where a position in front of the eye is on the screen. Returns what it is beyond. */
-static unsigned to_screen(const struct draw_call *call, struct vec3 position, struct pixel *pixel) {
-    const struct vec4 p = mat4_point(&call->to_clip, position);
-    const unsigned beyond = find_beyond(p);
-    const double half = call->viewport.width / 2.0;
-    if ((beyond & (BEYOND_NEAR | BEYOND_GUARD_BAND)) == 0) {
-        pixel->x = (int)floor((p.x / p.w + 1) * half);
-        pixel->y = (int)floor((p.y / p.w + 1) * half);
-    }
-    return beyond;
+static struct pixel to_pixel(struct vec4 clip, double half) {
+    return (struct pixel){(int)floor((clip.x / clip.w + 1) * half),
+                          (int)floor((clip.y / clip.w + 1) * half)};
 }
 
 /* The sides of the faces: whole lines as in lesson 1, those that leave the picture as in 2. */
 static void draw_lines(struct image *image, const struct draw_call *call) {
     const struct model *model = call->model;
     const struct color white = color_rgb(255, 255, 255);
+    const double half = (double)image->width / 2;
     struct side *sides = memory(NULL, 3 * model->face_count, sizeof *sides);
     list_sides(model, sides);
     const size_t count = keep_one_of_each(sides, 3 * model->face_count);
     for (size_t i = 0; i < count; i++) {
-        struct pixel a, b;
-        const unsigned beyond = to_screen(call, model->positions[sides[i].low], &a) |
-                                to_screen(call, model->positions[sides[i].high], &b);
+        const struct vec4 a = mat4_point(&call->to_clip, model->positions[sides[i].low]);
+        const struct vec4 b = mat4_point(&call->to_clip, model->positions[sides[i].high]);
+        const unsigned beyond = find_beyond(a) | find_beyond(b);
         if (beyond == 0) {
-            line(image, a, b, white);
+            line(image, to_pixel(a, half), to_pixel(b, half), white);
         } else if ((beyond & (BEYOND_NEAR | BEYOND_GUARD_BAND)) == 0) {
-            line_inside(image, a, b, white);
+            line_inside(image, to_pixel(a, half), to_pixel(b, half), white);
         }
     }
     free(sides);
 }
 
-static void draw_faces(struct image *image, struct model *model, const struct draw_call *call,
+/* The faces; those that must be cut have their parts in the model. */
+static void draw_faces(struct image *image, const struct draw_call *call,
                        const struct frame *frame) {
     const size_t pixels = image->width * image->height;
-    const struct model whole = *model;
     const bool is_phong = frame->look == LOOK_PHONG, is_depth = frame->look == LOOK_DEPTH;
     const struct simple_shader shader = {is_phong ? frame->phong->varying_count : 1, look_vertex,
                                          look_pixel};
@@ -575,36 +524,30 @@ static void draw_faces(struct image *image, struct model *model, const struct dr
                               .width = image->width,
                               .depth = memory(NULL, pixels, sizeof *band.depth),
                               .nearest = memory(NULL, pixels, sizeof *band.nearest)};
-    add_clipped(model, call);
-    struct kept_face *kept = memory(NULL, model->face_count + 1, sizeof *kept);
+    struct kept_face *kept = memory(NULL, call->model->face_count, sizeof *kept);
     const size_t count = keep_faces(&canvas, call, kept);
     visible_draw(&canvas, band, kept, (uint32_t)count, &shader, frame);
     if (is_depth) {
         show_depths(image, band.depth);
     }
-    model->position_count = whole.position_count, model->uv_count = whole.uv_count;
-    model->normal_count = whole.normal_count, model->face_count = whole.face_count;
     free(kept);
     free(band.depth);
     free(band.nearest);
 }
 
-/* @frame: the program (given) */
-
 /* A square picture of the model, seen from the eye. */
 static struct draw_call camera_call(const struct model *model, struct vec3 eye, int size) {
-    struct mat4 camera = mat4_mul(mat4_projection(sqrt(vec3_dot(eye, eye))),
-                                  mat4_lookat(eye, (struct vec3){0}, (struct vec3){0, 1, 0}));
-    for (int i = 0; i < 4; i++) {
-        camera.m[0][i] *= 0.85;
-        camera.m[1][i] *= 0.85;
-    }
-    return (struct draw_call){model, camera, {0, 0, size, size}, CULL_BACK};
+    const struct mat4 view = mat4_lookat(eye, (struct vec3){0}, (struct vec3){0, 1, 0});
+    struct mat4 zoom = mat4_identity();
+    zoom.m[0][0] = zoom.m[1][1] = 0.85;
+    zoom = mat4_mul(zoom, mat4_mul(mat4_projection(sqrt(vec3_dot(eye, eye))), view));
+    return (struct draw_call){model, zoom, {0, 0, size, size}, CULL_BACK};
 }
 
 struct options {
     struct vec3 eye;
-    int size, frames;
+    size_t size;
+    int frames;
     enum look look;
 };
 
@@ -614,10 +557,10 @@ static bool read_options(struct options *o, int argc, char **argv) {
         char option[100];
         snprintf(option, sizeof option, "%s %s", argv[i], argv[i + 1]);
         good = sscanf(option, "--eye %lf,%lf,%lf", &o->eye.x, &o->eye.y, &o->eye.z) == 3 ||
-               sscanf(option, "--size %d", &o->size) == 1 ||
+               sscanf(option, "--size %zu", &o->size) == 1 ||
                sscanf(option, "--frames %d", &o->frames) == 1;
         for (int look = 0; look < LOOKS && strcmp(argv[i], "--look") == 0; look++) {
-            if (strcmp(argv[i + 1], look_names[look]) == 0) {
+            if (strcmp(argv[i + 1], looks[look]) == 0) {
                 o->look = (enum look)look;
                 good = true;
             }
@@ -631,54 +574,50 @@ int main(int argc, char **argv) {
     struct options o = {.eye = {1, 0.5, 3}, .size = 800, .frames = 36};
     struct model model;
     struct texture map[3];
-    bool read[3];
-    int drawn = 0;
     if (!read_options(&o, argc, argv)) {
         fprintf(stderr, "renderer model.obj [--look phong|toon|gouraud|flat|depth|wireframe]\n"
                         "                   [--eye 1,0.5,3] [--size 800] [--frames 36]\n");
         return 2;
     }
-    if (!model_read(&model, argv[1])) {
-        fprintf(stderr, "renderer: cannot read %s\n", argv[1]);
-        model_free(&model);
-        return 1;
-    }
+    model_read(&model, argv[1]);
     for (int i = 0; i < 3; i++) {
-        read[i] = texture_read(&map[i], argv[1], endings[i], 0.85 * o.size);
+        texture_read(&map[i], argv[1], endings[i], 0.85 * (double)o.size);
     }
-    const size_t size = (size_t)o.size;
-    struct image image = {size, size, o.look == LOOK_DEPTH ? IMAGE_GREY : IMAGE_BGRA, NULL};
-    const struct draw_call call = camera_call(&model, o.eye, o.size);
     struct frame frame = {.look = o.look,
-                          .phong = read[1] ? &weight_mapped : &textured,
+                          .phong = map[1].level_count > 0 ? &weight_mapped : &textured,
                           .uniforms = {.model = &model,
                                        .diffuse = &map[0],
                                        .normal_map = &map[1],
                                        .specular = &map[2],
                                        .eye = o.eye,
                                        .material = {0.1, 1, 1, 10, {255, 255, 255}}}};
-    image.pixels = memory(NULL, size * size, image.format);
-    for (bool done = true; drawn < o.frames && done; drawn += done) {
+    const enum image_format format = o.look == LOOK_DEPTH ? IMAGE_GREY : IMAGE_BGR;
+    struct image image = {o.size, o.size, format, memory(NULL, o.size * o.size, format)};
+    const struct draw_call call = camera_call(&model, o.eye, (int)o.size);
+    if (o.look != LOOK_LINES) {
+        add_clipped(&model, &call);
+    }
+    for (int drawn = 0; drawn < o.frames; drawn++) {
         char path[64];
         const clock_t begin = clock();
-        memset(image.pixels, 0, size * size * image.format);
+        memset(image.pixels, 0, o.size * o.size * format);
         frame.uniforms.to_light = turning_light((double)drawn / o.frames);
         if (o.look == LOOK_LINES) {
             draw_lines(&image, &call);
         } else {
-            draw_faces(&image, &model, &call, &frame);
+            draw_faces(&image, &call, &frame);
         }
         snprintf(path, sizeof path, "turn_%03d.tga", drawn);
         printf("%s %.1f ms\n", path, 1000.0 * (double)(clock() - begin) / CLOCKS_PER_SEC);
-        done = tga_write(&image, path);
-    }
-    if (drawn < o.frames) {
-        fprintf(stderr, "renderer: cannot write a picture\n");
+        tga_write(&image, path);
     }
     for (int i = 0; i < 3; i++) {
         free(map[i].level->texels);
     }
-    model_free(&model);
+    free(model.positions);
+    free(model.uvs);
+    free(model.normals);
+    free(model.faces);
     free(image.pixels);
-    return drawn < o.frames;
+    return 0;
 }
