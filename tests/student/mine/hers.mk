@@ -19,6 +19,7 @@ $(HERS:%=$(BUILD)/hers/%.o): $(BUILD)/hers/%.o: $(BUILD)/hers/%.json $(BUILD)/he
 # What a lesson is compiled behind: the names of earlier lessons' functions.
 before = $(foreach one,$2,$(if $(filter-out $1,$(one)),$(if $(filter $(one),$(firstword $(sort $1 $(one)))),$(one))))
 $(STEPS:%=$(BUILD)/hers/%.h): $(BUILD)/hers/%.h: $(BUILD)/%.text tests/student/mine.txt
+	@mkdir -p $(@D)
 	@sh tests/student/mine/mine.sh names '$(BUILD)' $* $(call before,$*,$(HERS))
 $(foreach lesson,$(STEPS),$(eval $(BUILD)/hers/$(lesson).h: $(patsubst %,$(BUILD)/hers/%.o,$(call before,$(lesson),$(HERS)))))
 

@@ -144,7 +144,9 @@ say() {
         find_all_words
         yours=$(list_of "$mine")
         others=$(list_of "$ours" "$mine")
-        [ -z "$yours$others" ] || echo "$lesson: drawn with ${yours:+your $yours}${yours:+${others:+; }}${others:+ours: $others}"
+        words="drawn with ${yours:+your $yours}${yours:+${others:+; }}${others:+ours: $others}"
+        [ -n "$yours$others" ] || words='nothing here is of earlier lessons'
+        echo "$lesson: $words"
     done
 }
 

@@ -29,6 +29,7 @@ change() {
 
 # ---- The solutions ----
 
+draws 1 'step01_line: nothing here is of earlier lessons'
 draws 10 'step10_phong: drawn with your triangle, weights, sampler, camera, perspective, pipeline'
 silent 'ours:'
 says 'SCORE 36/36'
