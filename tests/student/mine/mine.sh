@@ -144,9 +144,11 @@ say() {
         find_all_words
         yours=$(list_of "$mine")
         others=$(list_of "$ours" "$mine")
-        words="drawn with ${yours:+your $yours}${yours:+${others:+; }}${others:+ours: $others}"
-        [ -n "$yours$others" ] || words='nothing here is of earlier lessons'
-        echo "$lesson: $words"
+        case $yours:$others in
+        :) echo "$lesson: nothing here is of earlier lessons" ;;
+        :*) echo "$lesson: drawn with our $others" ;;
+        *) echo "$lesson: drawn with your $yours${others:+; ours: $others}" ;;
+        esac
     done
 }
 
