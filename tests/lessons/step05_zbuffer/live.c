@@ -4,6 +4,9 @@
 #endif
 #include "more_scenes.h"
 
+#include "../../../step05_zbuffer/attempts.h"
+#include "large.h"
+
 /* Which attempt draws. */
 enum { LIVE_BUFFER, LIVE_FILE_ORDER, LIVE_PAINTER, LIVE_MEAN_DEPTH };
 
@@ -186,7 +189,36 @@ static bool live_hidden(struct drawing *drawing, struct image *image, struct err
     return true;
 }
 
+/* ---- Scenes trees and bars: are small triangles enough for the painter? ---- */
+
+static const struct scene_value live_large_values[] = {
+    {"cuts", "cuts of each side", 1, LARGE_CUTS, 1, 1},
+    {.name = NULL},
+};
+
+static bool live_large(struct drawing *drawing, struct image *image, void (*make)(struct large *)) {
+    size_t wrong[2];
+    large_draw(make, (int)drawing_value(drawing, "cuts"), image, drawing->depth, wrong);
+    drawing_count(drawing, "wrong_by_the_painter", wrong[0]);
+    drawing_count(drawing, "wrong_by_mean_depth", wrong[1]);
+    return true;
+}
+
+static bool live_trees(struct drawing *drawing, struct image *image, struct error *error) {
+    (void)error;
+    return live_large(drawing, image, large_trees);
+}
+
+static bool live_bars(struct drawing *drawing, struct image *image, struct error *error) {
+    (void)error;
+    return live_large(drawing, image, large_bars);
+}
+
 /* ---- The scenes ---- */
+
+#define LIVE_LARGE                                                                                 \
+    .needs = NEEDS_DEPTH, .width = 3 * LARGE_WIDTH, .height = LARGE_HEIGHT,                        \
+    .values = live_large_values
 
 static const struct scene live[] = {
     {.name = "rows", .values = live_rows_values, .draw = live_rows},
@@ -196,6 +228,8 @@ static const struct scene live[] = {
     {.name = "side", .values = live_model_values, .draw = live_zbuffer},
     {.name = "cards", .values = live_cards_values, .draw = live_cards},
     {.name = "hidden", .values = live_hidden_values, .draw = live_hidden},
+    {.name = "trees", LIVE_LARGE, .draw = live_trees},
+    {.name = "bars", LIVE_LARGE, .draw = live_bars},
 };
 
 MAIN_WITH(live)
