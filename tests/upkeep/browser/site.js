@@ -434,6 +434,23 @@ test('the first screen', async () => {
     });
 });
 
+test('where the still picture comes late, its place is kept, and enlarged pixels have edges', async () => {
+    const page = await browser.newPage(desktop);
+    let arrive;
+    const late = new Promise(done => { arrive = done; });
+    await page.route('**/walk.webp', route => late.then(() => route.continue()));
+    await page.goto(served('step01_line/index.html'));
+    const figure = page.locator('figure[data-live*="at=2,1"]'), height = async () => (await figure.boundingBox()).height;
+    await figure.scrollIntoViewIfNeeded();
+    await figure.locator('.more').waitFor({timeout: patience});
+    const before = await height();
+    arrive();
+    await figure.locator('img').evaluate(image => image.decode());
+    assert.equal(await height(), before);
+    assert.equal(await figure.locator('canvas').evaluate(canvas => getComputedStyle(canvas).imageRendering), 'pixelated');
+    await page.close();
+});
+
 /* Without scripts, since that shows as much and is quick. */
 test('a wide screen cuts no program of 100 columns, and figures are as wide as the text; the map is a list', async () => {
     const context = await browser.newContext({javaScriptEnabled: false, viewport: {width: 1440, height: 900}});
