@@ -6,6 +6,7 @@
 
 #include "../../../step05_zbuffer/attempts.h"
 #include "files/model_file.h"
+#include "large.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -56,83 +57,27 @@ static void draw_painted_over(const struct model *knot, const struct model *bust
     figure_save(&sheet.image, "painted_over");
 }
 
-/* ---- Three bars in a circle ---- */
+/* ---- Large triangles ---- */
+
+static void draw_large(const char *name, void (*make)(struct large *)) {
+    struct image image = figure_image(3 * LARGE_WIDTH, LARGE_HEIGHT);
+    size_t wrong[2];
+    depth_clear(memory, image.width * image.height);
+    large_draw(make, 1, &image, memory, wrong);
+    printf("%-6s %-28s %6zu pixels wrong\n", name, "2 painter's order", wrong[0]);
+    printf("%-6s %-28s %6zu pixels wrong\n", name, "3 mean depth", wrong[1]);
+    figure_save(&image, name);
+}
+
+/* ---- Two sheets close to each other ---- */
+
+enum { SHEETS_WIDTH = 560, SHEETS_HEIGHT = 40 };
 
 static struct vertex place(double x, double y, double depth) {
     struct vertex v = {.depth = depth};
     screen_snap((struct vec2){x, y}, &v.position); /* always within the limit here */
     return v;
 }
-
-/* Three long triangles, each over the next: the thick end is near, the point is far. */
-static void make_circle(struct drawn bars[3]) {
-    static const struct vec2 corner[3] = {{-70, -10}, {-70, -70}, {130, -45}};
-    static const double depth[3] = {0.5, 0.5, -0.5};
-    static const double cosine[3] = {1, -0.5, -0.5};
-    static const double sine[3] = {0, 0.8660254037844386, -0.8660254037844386};
-    const struct color color[3] = {color_rgb(220, 60, 50), color_rgb(60, 170, 70),
-                                   color_rgb(60, 90, 220)};
-    for (int i = 0; i < 3; i++) {
-        for (int k = 0; k < 3; k++) {
-            struct vec2 c = corner[k];
-            bars[i].v[k] = place(118 + c.x * cosine[i] - c.y * sine[i],
-                                 105 + c.x * sine[i] + c.y * cosine[i], depth[k]);
-        }
-        bars[i].color = color[i];
-    }
-}
-
-/* ---- Small things on a large floor ---- */
-
-enum { FLOOR_TREES = 6, FLOOR_COUNT = FLOOR_TREES + 2 };
-
-/* A floor seen from obliquely above, of two triangles: its depth falls from 0.9 at the bottom of
- * the picture to -0.9 at the top. The trees on it are upright: one depth each. */
-static void make_floor(struct drawn list[FLOOR_COUNT]) {
-    static const struct vec2 foot[FLOOR_TREES] = {{60, 150}, {130, 120}, {205, 140},
-                                                  {170, 85}, {90, 60},   {220, 40}};
-    const struct vertex a = place(10, 10, 0.9), b = place(250, 10, 0.9);
-    const struct vertex c = place(250, 190, -0.9), d = place(10, 190, -0.9);
-    list[0] = (struct drawn){{a, b, c}, color_rgb(170, 140, 100)};
-    list[1] = (struct drawn){{a, c, d}, color_rgb(190, 160, 120)};
-    for (int i = 0; i < FLOOR_TREES; i++) {
-        double depth = 0.9 - 1.8 * (foot[i].y - 10) / 180;
-        list[i + 2] = (struct drawn){{place(foot[i].x - 16, foot[i].y, depth),
-                                      place(foot[i].x + 16, foot[i].y, depth),
-                                      place(foot[i].x, foot[i].y + 55, depth)},
-                                     color_rgb(30, (uint8_t)(110 + 20 * i), 60)};
-    }
-}
-
-/* ---- Large triangles ---- */
-
-enum { LARGE_WIDTH = 260, LARGE_HEIGHT = 250 };
-
-/* From left to right: with a depth buffer, by the painter, by mean depth. */
-static void draw_large(const char *name, const struct drawn *list, size_t count) {
-    struct sheet sheet = {.width = LARGE_WIDTH, .height = LARGE_HEIGHT, .columns = 3, .rows = 1};
-    struct image right = figure_image(sheet.width, sheet.height);
-    sheet_create(&sheet);
-    draw_right(&right, list, count);
-    sheet_add_detail(&sheet, &right, detail_of_whole(&right, 1, 0));
-    for (int i = 0; i < 2; i++) {
-        if (i == 0) { /* the painter sorts, so he gets a list of his own */
-            memcpy(memory, list, count * sizeof *list);
-            attempt_2_painter(&sheet.panel, memory, count);
-        } else {
-            attempt_3_mean_depth(&sheet.panel, list, count, memory);
-        }
-        printf("%-6s %-28s %6zu pixels wrong\n", name,
-               i == 0 ? "2 painter's order" : "3 mean depth",
-               different_pixels(&right, &sheet.panel));
-        sheet_add(&sheet);
-    }
-    figure_save(&sheet.image, name);
-}
-
-/* ---- Two sheets close to each other ---- */
-
-enum { SHEETS_WIDTH = 560, SHEETS_HEIGHT = 40 };
 
 /* A blue sheet, and an orange one before it: nearer by 0 at the left end and by 1e-4 at the right
  * one. Both rise by 0.1 from bottom to top. The blue one comes first. */
@@ -199,14 +144,11 @@ static void draw_lifted(const struct model *bust) {
 
 void draw_figures(struct model *bust) {
     struct model knot;
-    struct drawn bars[3], floor_list[FLOOR_COUNT];
     figure_need(model_read(&knot, COURSE_BUILD "/models/knot.off", &figure_error));
     memory = figure_memory(LIFTED_SIDE * LIFTED_SIDE, sizeof(double)); /* the largest picture */
-    make_circle(bars);
-    make_floor(floor_list);
     draw_painted_over(&knot, bust);
-    draw_large("circle", bars, 3);
-    draw_large("floor", floor_list, FLOOR_COUNT);
+    draw_large("circle", large_bars);
+    draw_large("floor", large_trees);
     draw_sheets();
     draw_lifted(bust);
 }

@@ -4,6 +4,9 @@
 #endif
 #include "more_scenes.h"
 
+#include "../../../step05_zbuffer/attempts.h"
+#include "large.h"
+
 /* Which attempt draws. */
 enum { LIVE_BUFFER, LIVE_FILE_ORDER, LIVE_PAINTER, LIVE_MEAN_DEPTH };
 
@@ -186,7 +189,129 @@ static bool live_hidden(struct drawing *drawing, struct image *image, struct err
     return true;
 }
 
+/* ---- Scene columns: what each of ten columns keeps, segment by segment ---- */
+
+enum {
+    COLUMNS = 10,
+    COLUMNS_SIDE = 40, /* of a column, and of a step of depth, in pixels */
+    COLUMNS_WIDTH = COLUMNS * COLUMNS_SIDE,
+    COLUMNS_PLANE_BOTTOM = 140, /* where the depth is 0; the rows are below */
+    COLUMNS_HEIGHT = 360,
+    COLUMNS_ROW = 40 /* from one row to the next, the last one at the bottom */
+};
+
+#define LIVE_COLUMNS_POINT(name, x, y)                                                             \
+    {name "_x", "end", 0, COLUMNS, 0.1, x}, {                                                      \
+        name "_y", "end", -3.5, 5.5, 0.1, y                                                        \
+    }
+static const struct scene_value live_columns_values[] = {
+    LIVE_COLUMNS_POINT("orange", 1, 1),
+    LIVE_COLUMNS_POINT("orange_end", 9, 5),
+    LIVE_COLUMNS_POINT("green", 2, 4.5),
+    LIVE_COLUMNS_POINT("green_end", 6, 2.5),
+    LIVE_COLUMNS_POINT("blue", 4, 5),
+    LIVE_COLUMNS_POINT("blue_end", 9, 1),
+    {.name = NULL},
+};
+
+static struct pixel live_columns_pixel(const struct image *image, struct vec2 point) {
+    return (struct pixel){
+        (int)floor(point.x / COLUMNS * (double)image->width),
+        (int)floor((COLUMNS_PLANE_BOTTOM + point.y * COLUMNS_SIDE) / COLUMNS_HEIGHT *
+                   (double)image->height),
+    };
+}
+
+static void live_columns_line(struct image *image, struct vec2 a, struct vec2 b,
+                              struct color color) {
+    struct line_walk walk;
+    for (int shift = 0; shift < 2; shift++) {
+        struct pixel from = live_columns_pixel(image, a), to = live_columns_pixel(image, b);
+        from.y += shift;
+        to.y += shift;
+        bool more = line_begin(&walk, from, to, image->width, image->height);
+        for (; more; more = line_next(&walk)) {
+            image_set(image, walk.x, walk.y, color);
+        }
+    }
+}
+
+/* What the columns show so far, as a row of boxes. */
+static void live_columns_row(struct image *image, const struct image *row, int bottom) {
+    const int side = (int)image->width / COLUMNS;
+    const int low = bottom * (int)image->height / COLUMNS_HEIGHT;
+    for (int i = 0; i < COLUMNS; i++) {
+        for (int k = 0; k < (side - 4) * (side - 12); k++) {
+            image_set(image, i * side + 2 + k % (side - 4), low + k / (side - 4),
+                      image_get(row, i, 0));
+        }
+    }
+}
+
+static bool live_columns(struct drawing *drawing, struct image *image, struct error *error) {
+    static const char *const names[][2] = {
+        {"orange", "orange_end"}, {"green", "green_end"}, {"blue", "blue_end"}};
+    const struct color colors[] = {color_rgb(235, 140, 40), color_rgb(70, 180, 80),
+                                   color_rgb(80, 140, 255)};
+    double depths[COLUMNS], kept[3] = {0};
+    struct image row;
+    if (!image_create(&row, COLUMNS, 1, IMAGE_BGR, error)) {
+        return false;
+    }
+    const int probed = drawing->probe.x * COLUMNS / (int)image->width;
+    depth_clear(depths, COLUMNS);
+    image_clear(&row, color_grey(50));
+    for (int i = 0; i <= COLUMNS; i++) {
+        live_columns_line(image, (struct vec2){i, 0}, (struct vec2){i, 5.5}, color_grey(50));
+    }
+    for (int i = 0; i < 3; i++) {
+        const struct vec2 p = drawing_point(drawing, names[i][0]),
+                          q = drawing_point(drawing, names[i][1]);
+        const struct segment segment = {p.x < q.x ? p : q, p.x < q.x ? q : p, colors[i]};
+        live_columns_line(image, segment.a, segment.b, segment.color);
+        draw_segment(&segment, &row, 0, depths);
+        live_columns_row(image, &row, (2 - i) * COLUMNS_ROW + 8);
+        kept[i] = probed >= 0 && probed < COLUMNS ? depths[probed] : 0;
+    }
+    if (drawing->probed) {
+        drawing_note(drawing,
+                     "column %d keeps %.2f after orange, %.2f after green, %.2f after blue", probed,
+                     kept[0], kept[1], kept[2]);
+    }
+    image_free(&row);
+    return true;
+}
+
+/* ---- Scenes trees and bars: are small triangles enough for the painter? ---- */
+
+static const struct scene_value live_large_values[] = {
+    {"cuts", "cuts of each side", 1, LARGE_CUTS, 1, 1},
+    {.name = NULL},
+};
+
+static bool live_large(struct drawing *drawing, struct image *image, void (*make)(struct large *)) {
+    size_t wrong[2];
+    large_draw(make, (int)drawing_value(drawing, "cuts"), image, drawing->depth, wrong);
+    drawing_count(drawing, "wrong_by_the_painter", wrong[0]);
+    drawing_count(drawing, "wrong_by_mean_depth", wrong[1]);
+    return true;
+}
+
+static bool live_trees(struct drawing *drawing, struct image *image, struct error *error) {
+    (void)error;
+    return live_large(drawing, image, large_trees);
+}
+
+static bool live_bars(struct drawing *drawing, struct image *image, struct error *error) {
+    (void)error;
+    return live_large(drawing, image, large_bars);
+}
+
 /* ---- The scenes ---- */
+
+#define LIVE_LARGE                                                                                 \
+    .needs = NEEDS_DEPTH, .width = 3 * LARGE_WIDTH, .height = LARGE_HEIGHT,                        \
+    .values = live_large_values
 
 static const struct scene live[] = {
     {.name = "rows", .values = live_rows_values, .draw = live_rows},
@@ -196,6 +321,13 @@ static const struct scene live[] = {
     {.name = "side", .values = live_model_values, .draw = live_zbuffer},
     {.name = "cards", .values = live_cards_values, .draw = live_cards},
     {.name = "hidden", .values = live_hidden_values, .draw = live_hidden},
+    {.name = "columns",
+     .width = COLUMNS_WIDTH,
+     .height = COLUMNS_HEIGHT,
+     .values = live_columns_values,
+     .draw = live_columns},
+    {.name = "trees", LIVE_LARGE, .draw = live_trees},
+    {.name = "bars", LIVE_LARGE, .draw = live_bars},
 };
 
 MAIN_WITH(live)

@@ -37,6 +37,13 @@ const figures = (() => {
                 image: new ImageData(new Uint8ClampedArray(bytes.subarray(at, at + 4 * width * height)), width, height)};
     }
 
+    // A row of a matrix, with brackets instead of its bars.
+    function bracketed(row, y, rows) {
+        const side = k => `${k % 2 ? "l" : "r"}${y === 0 ? " t" : ""}${y === rows.length - 1 ? " b" : ""}`;
+        return [y > 0 ? "\n" : "", ...row.split("|").flatMap((part, k) =>
+            k === 0 ? [part] : [make("i", {className: side(k), textContent: "|"}), part])];
+    }
+
     // The names of its numbers, where a value's help gives each of them one: "0 flat, 1 smooth".
     function namesOf({help, least, most}) {
         const names = help.split(", ").map((part, i) => part.startsWith(`${least + i} `) && part.slice(`${least + i} `.length));
@@ -177,7 +184,7 @@ const figures = (() => {
         const pane = figure.querySelector(".pane"), still = pane.querySelector("img");
         const canvas = make("canvas", {ariaLabel: still.alt}), numbers = make("output", {className: "numbers"});
         const parts = []; // what shows the chosen numbers: each is called when they change
-        let frame = null, slow = false, pixel = at?.split(",").map(Number);
+        let frame = null, slow = false, small = false, pixel = at?.split(",").map(Number);
         canvas.setAttribute("role", "img");
         const marks = shows.includes("wrong") && !values.some(({name}) => name === "wrong"); // of the page, not of the program
 
@@ -209,25 +216,30 @@ const figures = (() => {
             return `${wrong.toLocaleString("en")} pixels differ: ${(100 * wrong / Math.max(drawn, 1)).toFixed(1)} %`;
         }
 
+        // Enlarged pixels have edges, whenever the pane gets its size.
+        const sharpen = () => canvas.classList.toggle("enlarged", !small && canvas.width < pane.clientWidth);
+        new ResizeObserver(sharpen).observe(pane);
+
         async function draw(half) {
             const next = parseFrame(await program.frame(request(half))), told = [];
             if (marks) {
                 told.push(compare(next, parseFrame(await program.frame(request(half, "attempt")))));
             }
             frame = next;
-            slow = half ? slow : frame.milliseconds > 25;
+            slow = half ? slow : frame.width > 400 && frame.milliseconds > 25;
             [canvas.width, canvas.height] = [frame.width, frame.height];
-            canvas.classList.toggle("enlarged", !half && frame.width < pane.clientWidth);
+            small = half;
+            sharpen();
             canvas.getContext("2d").putImageData(frame.image, 0, 0);
             const common = /^[^:]*: /.exec(frame.notes[0])?.[0] ?? ""; // "triangle 1: "
             const cut = frame.notes.every(note => note.startsWith(common)) ? common.length : 0;
             for (const word of tells) {
                 const notes = frame.notes.map(note => note.slice(cut)).filter(note => ` ${note}`.includes(` ${word}`));
                 const said = word in frame.counters
-                    ? [`${word.replaceAll("_", " ")}: ${Number(frame.counters[word]).toLocaleString("en")}`]
-                    : word === "|" ? [notes.join("\n")] : notes;
-                told.push(...said.map((textContent, i) => {
-                    const number = make("span", {textContent, className: word === "|" ? "matrix" : ""});
+                    ? [[`${word.replaceAll("_", " ")}: ${Number(frame.counters[word]).toLocaleString("en")}`]]
+                    : word === "|" ? [notes.flatMap(bracketed)] : notes.map(note => [note]);
+                told.push(...said.map((content, i) => {
+                    const number = make("span", {className: word === "|" ? "matrix" : ""}, ...content);
                     number.dataset.part = said.length > 1 ? word + i : word;
                     return number;
                 }));

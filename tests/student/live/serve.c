@@ -297,6 +297,22 @@ static void answer_file(struct http_request *request, const char *path, const ch
     bytes_free(&file);
 }
 
+/* What a lesson's text shows or names, of any file of the course; NULL for all else. */
+static const char *type_of(const char *path) {
+    static const char *const types[][2] = {{".md", "text/plain; charset=utf-8"},
+                                           {".h", "text/plain; charset=utf-8"},
+                                           {".c", "text/plain; charset=utf-8"},
+                                           {".png", "image/png"},
+                                           {".svg", "image/svg+xml"}};
+    const char *end = path[0] != '/' ? strrchr(path, '.') : NULL;
+    for (size_t i = 0; end != NULL && i < sizeof types / sizeof types[0]; i++) {
+        if (strcmp(end, types[i][0]) == 0) {
+            return types[i][1];
+        }
+    }
+    return NULL;
+}
+
 static void answer(struct live *live, struct http_request *request) {
     static const struct {
         const char *path, *file, *type;
@@ -324,19 +340,12 @@ static void answer(struct live *live, struct http_request *request) {
         answer_frame(live, request);
     } else if (strcmp(request->path, "state") == 0) {
         answer_state(live, request);
-    } else if (strncmp(request->path, "text/", 5) == 0) {
-        snprintf(path, sizeof path, "%s/%s", live->step, request->path + 5);
-        answer_file(request, path, "text/plain; charset=utf-8");
-    } else if (strncmp(request->path, "tests/reference/", 16) == 0) {
-        answer_file(request, request->path, "image/png");
     } else if (strncmp(request->path, "reference/", 10) == 0) {
         snprintf(path, sizeof path, "tests/reference/%s/%s", live->step, request->path + 10);
         answer_file(request, path, "image/png");
-    } else if (strncmp(request->path, "figures/", 8) == 0) {
-        snprintf(path, sizeof path, "%s/%s", live->step, request->path);
-        answer_file(request, path, strstr(path, ".svg") != NULL ? "image/svg+xml" : "image/png");
     } else {
-        http_answer(request, 404, "text/plain", "", 0);
+        const char *type = type_of(request->path);
+        answer_file(request, type != NULL ? request->path : "", type != NULL ? type : "text/plain");
     }
 }
 

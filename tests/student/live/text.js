@@ -20,7 +20,7 @@ function htmlOfMarkdown(text, addressOf) {
             .replace(/!\[([^\]]*)\]\(([^ )]+)(?: "([^"]*)")?\)/g, (all, ...parts) => keep(picture(...parts)))
             .replace(/\[([^\]]*)\]\(([^ )]+)\)/g, (all, words, link) =>
                 addressOf(link) === null ? words : `${keep(`<a href="${addressOf(link)}">`)}${words}${keep("</a>")}`)
-            .replace(/<\/?[a-z](?:"[^"]*"|[^">])*>/g, tag => keep(tag.replace(/ src="([^"]*)"/, (all, source) => ` src="${addressOf(source)}"`)));
+            .replace(/<\/?[a-z](?:"[^"]*"|[^">])*>/g, tag => keep(tag.replace(/ (src|href)="([^"]*)"/, (all, name, link) => addressOf(link) === null ? "" : ` ${name}="${addressOf(link)}"`)));
         let html = escape(left).replace(/\*\*(.+?)\*\*/gs, "<strong>$1</strong>").replace(/\*([^\s*](?:.*?[^\s])?)\*/gs, "<em>$1</em>");
         while (html.includes("\0")) { // what is kept may hold some that is kept, too
             html = html.replace(/\0(\d+)\0/g, (all, i) => kept[i]);
@@ -33,7 +33,11 @@ function htmlOfMarkdown(text, addressOf) {
         for (const [number, part] of words.map(word => word.split("="))) {
             parts[number] = [...parts[number] ?? [], part];
         }
-        const line = (text, i) => parts[i + 1] ? `${touch(where, parts[i + 1].join(" "))}${escape(text)}</span>` : escape(text);
+        const isMatrix = i => /^\| /.test(lines[i] ?? "");
+        const brackets = (row, i) => row.split("|").reduce((left, right, k) => // of a matrix, instead of its bars
+            `${left}<i class="${k % 2 ? "l" : "r"}${isMatrix(i - 1) ? "" : " t"}${isMatrix(i + 1) ? "" : " b"}">|</i>${right}`);
+        const line = (text, i) => parts[i + 1] ? `${touch(where, parts[i + 1].join(" "))}${escape(text)}</span>`
+            : isMatrix(i) ? brackets(escape(text), i) : escape(text);
         return `<pre tabindex=0><code>${lines.map(line).join("\n")}\n</code></pre>`;
     }
 

@@ -84,8 +84,8 @@ finish_texts() {
                     sub(/.*\]\(/, "", target); sub(/[ #)].*/, "", target)
                     before = substr(rest, 1, RSTART - 1)
                     if (target in gone) sub(/!$/, "", before)
-                    # A row about it, or a line that is nothing else, goes with it.
-                    if (target in gone && (line before == "| " || whole "." == $0)) {
+                    # A row or an item about it, or a line that is nothing else, goes with it.
+                    if (target in gone && (line before ~ /^[|-] $/ || whole "." == $0)) {
                         dropped = 1
                         next
                     }

@@ -4,10 +4,11 @@
  * files are in memory: two models, and textures, which the page loads when one is read first.
  *
  * site.sh compiles it: main() of step05_zbuffer is step05_zbuffer_main() then, LESSONS lists such
- * names, and calls of live_loop(), file_read(), file_exists() and file_find() come here (--wrap).
+ * names. Calls of live_loop(), stage_draw(), file_read() and others of file.h come here (--wrap).
  */
 #include "base/file.h"
 #include "run/live.h"
+#include "run/stage.h"
 
 #include <string.h>
 
@@ -30,10 +31,21 @@ static const char *const names[FILE_COUNT] = {"bust.obj", "knot.off", "bust_diff
                                               "bust_nm.png", "bust_spec.png"};
 
 /* How many bytes the texture has, 0 where the page has not loaded it yet; and a copy of them. A
- * program that misses a texture goes on without it. The page throws that answer away, loads what
- * was missing, begins the program again from the start, and asks again. */
+ * program that misses textures asks for them all, and ends before it draws. Then the page loads
+ * them, begins the program again from the start, and asks again. */
 unsigned texture_size(int texture);
 void texture_copy(int texture, unsigned char *to);
+
+/* Leaves all functions that run, as wait_for_calls() does, where a texture was missing. */
+void wait_for_textures(void);
+
+bool __real_stage_draw(struct stage *stage, struct image *image, size_t frame, struct error *error);
+
+bool __wrap_stage_draw(struct stage *stage, struct image *image, size_t frame,
+                       struct error *error) {
+    wait_for_textures();
+    return __real_stage_draw(stage, image, frame, error);
+}
 
 /* Its place among the files; FILE_COUNT: there is none of that name. */
 static int find_file(const char *path) {

@@ -145,6 +145,16 @@ function touches_code(line,    i, count, word, tag, before) {
     return ++code_line in parts && line !~ /<\/pre>/ ? touch(where, parts[code_line], line) : line
 }
 
+# The bars of a matrix's row become brackets.
+function brackets(line,    done, side) {
+    while (match(line, /\|/)) {
+        side = side == "l" ? "r" : "l"
+        done = done substr(line, 1, RSTART - 1) "<i class=\"" side (was_matrix ? "" : " t") "\">|</i>"
+        line = substr(line, RSTART + 1)
+    }
+    return done line
+}
+
 /^<h[1-6]>/ { $0 = heading($0) }
 /<pre>/ { split("", parts) }
 /<pre>/, /<\/pre>/ { $0 = touches_code($0) }
@@ -152,6 +162,7 @@ function touches_code(line,    i, count, word, tag, before) {
 { text = text " " plain($0) }
 /<img/ { $0 = picture($0) }
 /href=/ { $0 = link($0) }
+page ~ /^step/ { gsub("make live STEP=" substr(page, 5, 2), "<a href=\"live.html\">&</a>") } # which is that
 /<pre>/ { sub(/<pre>/, "<pre tabindex=0>") } # which may be wider than the page
 /^<th[^>]*><\/th>$/ { gsub(/th/, "td") } # an empty one heads nothing
 /^<tr>/ { column = 0 }
@@ -159,8 +170,15 @@ function touches_code(line,    i, count, word, tag, before) {
 /^<td/ && /<figure/ { sub(/<td/, "<td data-label=\"" head[++column] "\"") }
 /^<td/ && !/<figure/ { column++ }
 /^<table>/ { $0 = "<div class=wide tabindex=0>" $0 }
-{ body = body $0 "\n" }
-/<\/table>/ { body = body "</div>\n" }
+{
+    is_matrix = /^(<pre[^>]*><code>)?\| /
+    if (is_matrix) $0 = brackets($0)
+    else if (was_matrix) gsub(/<i class="./, "& b", before)
+    was_matrix = is_matrix
+    body = body before
+    before = $0 "\n"
+}
+/<\/table>/ { before = before "</div>\n" }
 
 function print_contents(    i, in_lesson) {
     if (page !~ /^step/) lesson = ""
@@ -178,13 +196,15 @@ function print_contents(    i, in_lesson) {
 
 function is_main(i) { return address[i] !~ /^step/ || address[i] ~ /index\.html$/ }
 
+# The first page, then the lessons; other pages are looked up.
 function neighbour(step, name,    i) {
-    for (i = here + step; i >= 1 && i <= pages && !is_main(i); i += step) {}
+    for (i = here + step; i >= 1 && i <= pages && address[i] !~ /^(step[^\/]*\/)?index\.html$/; i += step) {}
     if (i >= 1 && i <= pages) print "<a rel=" name " href=\"" root address[i] "\">" title[i] "</a>"
 }
 
 END {
     end_section()
+    body = body before
     print "<!DOCTYPE html>\n<html lang=en" (page == "index.html" ? " class=first" : "") ">\n<head>\n<meta charset=utf-8>"
     print "<meta http-equiv=Content-Security-Policy content=\"default-src 'none'; script-src 'self'" \
           (living ? " 'wasm-unsafe-eval'; worker-src blob:" : "") "; style-src 'self'; img-src 'self' data:; frame-src 'self'; base-uri 'none'; form-action 'none'\">"

@@ -20,7 +20,7 @@ wanted=
 . tests/student/marked.sh
 . tests/teacher/handout/out.sh
 
-compile="clang --target=wasm32-wasi -O3 -msimd128 -std=c17 -ffp-contract=off -fno-math-errno -Wno-psabi
+compile="clang --target=wasm32-wasi -Os -msimd128 -std=c17 -ffp-contract=off -fno-math-errno -Wno-psabi
     -Icommon -I$build/models"
 missing=
 for tool in cmark-gfm cwebp clang wasm-ld; do
@@ -61,12 +61,20 @@ done
     esac | awk -v picture="${picture#./}" '{ print picture "\t" $0 }'
 done >"$work/sizes"
 
-# Small pictures keep every pixel; large ones change so little that nobody sees it.
+# bytes_of FILE
+bytes_of() {
+    wc -c <"$1"
+}
+
+# Pictures keep every pixel, except large ones that become much smaller when they change so little that nobody sees it.
 find "$new" -name '*.png' | while IFS= read -r picture; do
-    kind='-lossless -z 6'
-    [ "$(wc -c <"$picture")" -lt 60000 ] || kind='-q 90 -sharp_yuv'
-    # shellcheck disable=SC2086 # several words
-    cwebp -quiet $kind "$picture" -o "${picture%png}webp" && rm "$picture" || fail 1 "cannot convert $picture"
+    exact=${picture%png}webp
+    cwebp -quiet -lossless -z 6 "$picture" -o "$exact" || fail 1 "cannot convert $picture"
+    if [ "$(bytes_of "$exact")" -ge 20000 ]; then
+        cwebp -quiet -q 85 -sharp_yuv "$picture" -o "$work/similar.webp" || fail 1 "cannot convert $picture"
+        [ $((5 * $(bytes_of "$work/similar.webp"))) -gt $((3 * $(bytes_of "$exact"))) ] || mv "$work/similar.webp" "$exact"
+    fi
+    rm "$picture"
 done || exit 1
 
 # page_of TEXT: its page's address.
@@ -103,7 +111,7 @@ printf '%s\n' $lessons | xargs -P "$(getconf _NPROCESSORS_ONLN)" -I @ \
     $compile -w -I@ -Itests -Itests/lessons/@ -Dmain=@_main -DMORE_MAIN=@_main "-DLESSON=\"$work/@.c\"" \
     -c "$work/@.live.c" -o "$work/@.o" &&
     $compile -mexec-model=reactor "-DLESSONS(X)=$names" -o "$work/program" \
-        -Wl,--stack-first,-z,stack-size=1048576,-s,--wrap=live_loop,--wrap=file_read,--wrap=file_exists,--wrap=file_find \
+        -Wl,--stack-first,-z,stack-size=1048576,-s,--wrap=live_loop,--wrap=stage_draw,--wrap=file_read,--wrap=file_exists,--wrap=file_find \
         -Wl,--export=start,--export=answer,--allow-undefined \
         tests/teacher/site/answer.c "$work"/*.o common/*.c common/[bfpr]*/*.c -lm || fail 1 "cannot compile the lessons"
 textures='bust_diffuse bust_nm bust_spec' # as in answer.c

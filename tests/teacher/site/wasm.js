@@ -40,6 +40,11 @@ function runInWorker() {
         wasi_snapshot_preview1: new Proxy(wasi, {get: (all, name) => all[name] ?? (() => unsupported)}),
         env: {
             wait_for_calls() { throw "waiting"; },
+            wait_for_textures() {
+                if (missing.size > 0) {
+                    throw "waiting";
+                }
+            },
             texture_size(number) {
                 if (textures[number] === undefined) {
                     missing.add(number);
@@ -62,8 +67,12 @@ function runInWorker() {
             new Blob([fromText(program)]).stream().pipeThrough(new DecompressionStream("gzip"))).arrayBuffer());
         exports = (await WebAssembly.instantiate(module, imports)).exports;
         exports._initialize();
+        untilItWaits(() => exports.start(lesson));
+    }
+
+    function untilItWaits(call) {
         try {
-            exports.start(lesson);
+            return call();
         } catch (error) {
             if (error !== "waiting") {
                 throw error;
@@ -81,10 +90,10 @@ function runInWorker() {
         return request === "" ? bytes : bytes.slice(bytes.indexOf(10) + 1);
     }
 
-    // A program that misses textures draws without them: another one begins, with them.
+    // A program that misses textures waits for them: another one begins, with them.
     let first, arrived;
     async function reply(request) {
-        const bytes = answer(request);
+        const bytes = untilItWaits(() => answer(request));
         if (missing.size === 0) {
             return bytes;
         }

@@ -740,6 +740,25 @@ test("the lesson's figures, by one's own program, now and after the next save", 
         assert.equal(new URL(page.url()).pathname, new URL(`${address}figures.html`).pathname);
     }));
 
+test('links lead to other lessons, whose figures are still and say so, and to sources', () =>
+    on('step03_triangle', desktop, '', async page => {
+        await page.click('header a');
+        for (const [link, title, still] of [['4 flat >', 'Lesson 4: flat shading', '04'], ['map of the course', 'A software renderer in ten lessons', null],
+                                            ['3 triangle', 'Lesson 3: a filled triangle', null], ['more', 'Lesson 3: more for the curious', null]]) {
+            await page.locator('main').getByRole('link', {name: link, exact: true}).first().click();
+            await page.locator(`h1:text-is("${title}")`).waitFor();
+            assert.equal(await page.locator(`p:has-text("make live STEP=${still}")`).count(), still === null ? 0 : 1, title);
+            assert.equal(await page.locator('header .choice').isVisible(), title.startsWith('Lesson 3'), title);
+            await page.waitForFunction(() => [...document.images].every(image => image.complete));
+            assert.deepEqual(await page.locator('main img').evaluateAll(all => all.filter(i => i.naturalWidth === 0).map(i => i.src)), [], title);
+            if (still !== null) assert.equal(await page.locator('[data-live], .panel:not(header)').count(), 0, title);
+        }
+        const opened = page.context().waitForEvent('response', answer => answer.url().endsWith('/step03_triangle/attempts.h'));
+        await page.getByRole('link', {name: 'attempts.h'}).first().click();
+        assert.equal(await (await opened).text(), fs.readFileSync(`${course}/step03_triangle/attempts.h`, 'utf8'));
+        await page.goBack();
+    }));
+
 test('a fault of the compiler, a crash and an endless loop are said, and mended at the next save', () =>
     on('step05_zbuffer', desktop, '#scene=depth', async page => {
         await page.focus('#picture');
@@ -787,7 +806,9 @@ test('nobody else is answered, two lessons go side by side, and nothing is left'
     assert.equal(await status(one.address, host, pathname), 200);
     assert.equal(await status(one.address, 'evil.example', pathname), 404);
     assert.equal(await status(one.address, host, '/'), 404);
-    assert.equal(await status(one.address, host, `${pathname}reference/../../../Makefile`), 404);
+    for (const file of ['reference/../../../Makefile', 'Makefile', '/etc/alternatives/README.md', `${fs.realpathSync(course)}/README.md`]) {
+        assert.equal(await status(one.address, host, pathname + file), 404, file);
+    }
     assert.equal(await status(one.address, host, pathname.replace(/[0-9a-f]/, c => c === '0' ? '1' : '0')), 404);
     assert.equal(await status(two.address, new URL(two.address).host, new URL(two.address).pathname + 'state'), 200);
     for (const {server, ended} of [one, two]) {
