@@ -79,7 +79,7 @@ static const struct tally *judge_shares(struct item_result *item) {
                    show_count(differing).text, show_count(drawn).text);
     } else if (verdict.what == NULL) {
         const double lighter = compare_lighter(shares);
-        result_say(&item->message, "too %s by %.1f levels on average (limit %g)",
+        result_say(&item->message, "too %s by %.1f values on average (limit %g)",
                    lighter > 0 ? "light" : "dark", fabs(lighter), COMPARE_LIGHTER / 1000.0);
     } else {
         result_say(&item->message, "%s of drawn pixels %s (limit %g %%)",

@@ -39,14 +39,14 @@ link() {
     done
 }
 
-# Which tasks have all their points?
+# right_tasks LESSON: those that have all their points.
 right_tasks() {
-    sed -n 's/.*"task": "\([^"]*\)".*"points": \([0-9]*\), "most": \2}.*/\1/p' "$build/hers/$lesson.json"
+    sed -n 's/.*"task": "\([^"]*\)".*"points": \([0-9]*\), "most": \2}.*/\1/p' "$build/hers/$1.json"
 }
 
 hers() {
     lesson=$1
-    right=$(right_tasks | tr '\n' ' ')
+    right=$(right_tasks "$lesson" | tr '\n' ' ')
     table_of "$lesson" | awk -v right=" $right" '{
         n = split($3, tasks, ",")
         for (i = 1; i <= n && index(right, " " tasks[i] " "); i++);
@@ -99,17 +99,25 @@ names() {
         END { for (name in of) print "#define " name " " of[name] }' >"$build/hers/$lesson.h"
 }
 
-# Sets mine and ours to words of the table, for what the lesson draws with.
+# missing LESSON TASKS: the first of them that hasn't all its points.
+missing() {
+    right=$(right_tasks "$1" | tr '\n' ' ')
+    for task in $(echo "$2" | tr , ' '); do
+        case " $right" in *" $task "*) ;; *) echo "$task" && return ;; esac
+    done
+}
+
+# Sets mine and ours to words of the table, for what the lesson draws with: ours as WORD:TASK, which is why.
 find_words() {
     mine=
     ours=
-    while read -r from _ name _ word _; do
+    while read -r from _ name tasks word _; do
         if [ ! -f "$build/hers/$from.names" ] || ! is_before "$from" "$lesson" || ! uses "$name"; then
             continue
         elif grep -q " $name " "$build/hers/$from.names"; then
             mine="$mine $word"
         else
-            ours="$ours $word"
+            ours="$ours $word:$(missing "$from" "$tasks")"
         fi
     done <"$build/hers/table"
 }
@@ -132,10 +140,12 @@ is_before() {
     [ "$(number_of "$1")" -lt "$(number_of "$2")" ]
 }
 
-# list_of WORDS EXCEPT: each once, with commas.
+# list_of WORDS EXCEPT: each once, with commas, and with its task.
 list_of() {
-    echo "$1" | tr ' ' '\n' | awk -v except=" $2 " '
-        $0 != "" && !index(except, " " $0 " ") && !seen[$0]++ { printf "%s%s", (n++ ? ", " : ""), $0 }'
+    echo "$1" | tr ' ' '\n' | awk -F : -v except=" $2 " '
+        $0 != "" && !index(except, " " $1 " ") && !seen[$1]++ {
+            printf "%s%s%s", (n++ ? ", " : ""), $1, $2 == "" ? "" : " (task " $2 " is not right yet)"
+        }'
 }
 
 say() {
