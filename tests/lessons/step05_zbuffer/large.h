@@ -2,8 +2,8 @@
  * Lesson 5: large triangles that the painter cannot order, and how they look when they are cut into
  * smaller ones. Include attempts.h first.
  */
-#ifndef LESSONS_STEP05_ZBUFFER_LARGE_H
-#define LESSONS_STEP05_ZBUFFER_LARGE_H
+#ifndef TESTS_LESSONS_STEP05_ZBUFFER_LARGE_H
+#define TESTS_LESSONS_STEP05_ZBUFFER_LARGE_H
 
 enum {
     LARGE_WIDTH = 260, /* of one of the three pictures, in pixels */
