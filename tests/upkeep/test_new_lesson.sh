@@ -34,7 +34,7 @@ done
 { cat scenes.txt; renamed scenes.txt; } >tests/check/scenes.txt
 cp -R tests/reference/$old tests/reference/$new
 mkdir tests/lessons/$new || exit 1
-for file in bench.c figures.c large.h trials.c; do
+for file in bench.c figures.c large.h live.c trials.c; do
     renamed tests/lessons/$old/$file >tests/lessons/$new/$file
 done
 
