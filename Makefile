@@ -119,16 +119,17 @@ $(BUILD)/flags: force
 TEACHES = $(patsubst %,-DCOURSE_LESSON=%,$(patsubst 0%,%,$(LESSON_NUMBER)))
 LESSON_NUMBER = $(patsubst step%,%,$(firstword $(subst _, ,$(filter $(STEPS),$(basename $(@F))))))
 
-# It is linked under another name first: `make watch` may run the old one meanwhile. What the
-# compiler warns of is kept, because the check repeats it.
+# It is linked under another name first: `make watch` may run the old one meanwhile. It is as old as the
+# text that was read, so that what is saved during a build is built next. What the compiler warns of is
+# kept, because the check repeats it.
 define BUILD_LESSON
 	@$(foreach h,$(filter $(notdir $(wildcard common/*.h)),$(notdir $(wildcard $(<D)/*.h))),\
-	    echo "$(<D)/$h: error: it hides common/$h: give it another name" >&2; exit 1;) :
+	    echo "$(<D)/$h: error: it hides common/$h: give it another name" >&2; exit 1;) : >$@.begun
 	$(SAY) CC $<
 	$(Q)$(COMPILE) $(TEACHES) $$([ ! -t 2 ] || echo -fdiagnostics-color=always) $(1) \
 	    -MF $@.d -MT $@ $(call WITH_MORE,$<,$(3)) -o $@.o 2>$@.said || { $(SAID) >&2; exit 1; }
 	@[ ! -s $@.said ] || $(SAID) >&2
-	$(Q)$(LINK) $(1) $@.o $(2) $(filter %.a,$^) -lm -o $@.$$$$ && mv -f $@.$$$$ $@
+	$(Q)$(LINK) $(1) $@.o $(2) $(filter %.a,$^) -lm -o $@.$$$$ && touch -r $@.begun $@.$$$$ && mv -f $@.$$$$ $@
 endef
 # A lesson's main.c with more scenes: trials, which make check judges, or live, under the mouse.
 WITH_MORE = $(or $(addprefix -iquote . -Itests -DLESSON='"$1"' -c ,\

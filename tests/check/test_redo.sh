@@ -53,7 +53,7 @@ after() {
 }
 
 program() {
-    echo "$1 $1.d $1.o $1.said"
+    echo "$1 $1.begun $1.d $1.o $1.said"
 }
 
 drawn() {
@@ -92,6 +92,26 @@ redone "common/raster.d common/raster.o libcommon.a \
     $(program $one) $(drawn $one) $(program $two) $(drawn $two)"
 after tests/check/run.c '/* The end. */'
 redone "check quick/tests/check/all.d quick/tests/check/all.o" check STEP=02
+
+# What is saved while make compiles is compiled next, even if another make has seen it meanwhile.
+cp $two/main.c kept
+compiler=$(make -s MARCH= -f Makefile --eval 'said: ; @echo $(CC)' said)
+mkdir wrapped && cat >"wrapped/$compiler" <<END && chmod +x "wrapped/$compiler"
+#!/bin/sh
+"$(command -v "$compiler")" "\$@" || exit 1
+case " \$* " in *" -c "*) : >compiled ;; *) exit 0 ;; esac
+[ ! -f saved ] || { mv saved $two/main.c && cat $two/*.[ch] $two/*/*.[ch] >build/$two.text; }
+END
+echo 'extern const int saved_before;' >>$two/main.c
+cp kept saved
+wrapped() {
+    PATH=$PWD/wrapped:$PATH make -s CFLAGS=-O0 MARCH= build/$two >log 2>&1 || wrong "$(cat log)"
+}
+wrapped
+[ ! -f saved ] || wrong "nothing was saved while make compiled"
+rm compiled
+wrapped
+[ -f compiled ] || wrong "what was saved while make compiled is not compiled"
 
 # Every check shows the warnings, whoever has built the program.
 unused_is_shown() {
