@@ -140,6 +140,7 @@ make_table
 if [ -n "$share" ]; then
     awk -v share="$share" 'BEGIN { split(share, part, "/") } NR % part[2] == part[1] % part[2]' \
         "$work/table" >"$work/part" && mv "$work/part" "$work/table" || exit 1
+    [ -s "$work/table" ] || fail "there is nothing in this share"
 fi
 : >"$work/results"
 cut -f 1 "$work/table" |
