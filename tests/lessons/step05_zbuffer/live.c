@@ -12,18 +12,18 @@ enum { LIVE_BUFFER, LIVE_FILE_ORDER, LIVE_PAINTER, LIVE_MEAN_DEPTH };
 
 /* ---- Scene: rows ---- */
 
-/* The ends of the three long segments are points to drag. */
-#define LIVE_POINT(name, x, y)                                                                     \
-    {name "_x", "end", 0, 800, 0.1, x}, {                                                          \
-        name "_y", "end", -ROWS_PLANE_BOTTOM, ROWS_PLANE, 0.1, y                                   \
+/* An end of a segment is a point to drag: x from 0 to `right`, y from `bottom` to `top`. */
+#define LIVE_POINT(name, right, bottom, top, x, y)                                                 \
+    {name "_x", "end", 0, right, 0.1, x}, {                                                        \
+        name "_y", "end", bottom, top, 0.1, y                                                      \
     }
 static const struct scene_value live_rows_values[] = {
-    LIVE_POINT("red", 20.5, 34),
-    LIVE_POINT("red_end", 744.5, 400),
-    LIVE_POINT("green", 120.7, 434),
-    LIVE_POINT("green_end", 444.8, 400),
-    LIVE_POINT("blue", 330, 463),
-    LIVE_POINT("blue_end", 594, 200),
+    LIVE_POINT("red", 800, -ROWS_PLANE_BOTTOM, ROWS_PLANE, 20.5, 34),
+    LIVE_POINT("red_end", 800, -ROWS_PLANE_BOTTOM, ROWS_PLANE, 744.5, 400),
+    LIVE_POINT("green", 800, -ROWS_PLANE_BOTTOM, ROWS_PLANE, 120.7, 434),
+    LIVE_POINT("green_end", 800, -ROWS_PLANE_BOTTOM, ROWS_PLANE, 444.8, 400),
+    LIVE_POINT("blue", 800, -ROWS_PLANE_BOTTOM, ROWS_PLANE, 330, 463),
+    LIVE_POINT("blue_end", 800, -ROWS_PLANE_BOTTOM, ROWS_PLANE, 594, 200),
     {"attempt", "0 depth buffer, 1 in the order given, 2 the painter's order", 0, 2, 1, 0},
     {.name = NULL},
 };
@@ -200,17 +200,13 @@ enum {
     COLUMNS_ROW = 40 /* from one row to the next, the last one at the bottom */
 };
 
-#define LIVE_COLUMNS_POINT(name, x, y)                                                             \
-    {name "_x", "end", 0, COLUMNS, 0.1, x}, {                                                      \
-        name "_y", "end", -3.5, 5.5, 0.1, y                                                        \
-    }
 static const struct scene_value live_columns_values[] = {
-    LIVE_COLUMNS_POINT("orange", 1, 1),
-    LIVE_COLUMNS_POINT("orange_end", 9, 5),
-    LIVE_COLUMNS_POINT("green", 2, 4.5),
-    LIVE_COLUMNS_POINT("green_end", 6, 2.5),
-    LIVE_COLUMNS_POINT("blue", 4, 5),
-    LIVE_COLUMNS_POINT("blue_end", 9, 1),
+    LIVE_POINT("orange", COLUMNS, -3.5, 5.5, 1, 1),
+    LIVE_POINT("orange_end", COLUMNS, -3.5, 5.5, 9, 5),
+    LIVE_POINT("green", COLUMNS, -3.5, 5.5, 2, 4.5),
+    LIVE_POINT("green_end", COLUMNS, -3.5, 5.5, 6, 2.5),
+    LIVE_POINT("blue", COLUMNS, -3.5, 5.5, 4, 5),
+    LIVE_POINT("blue_end", COLUMNS, -3.5, 5.5, 9, 1),
     {.name = NULL},
 };
 

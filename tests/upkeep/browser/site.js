@@ -500,7 +500,7 @@ test('affine and correct stand side by side, which needs no reference', () =>
         assert.ok(await page.isVisible('#views'));
         await page.click('#scenes button:text-is("lookat")');
         assert.ok(await page.isVisible('#views'));
-        await page.click('#scenes button:text-is("viewport")'); /* nothing to compare with */
+        await page.click('#scenes button:text-is("narrow")'); /* nothing to compare with */
         assert.ok(await page.isHidden('#views'));
     }));
 
