@@ -4,7 +4,7 @@
  */
 'use strict';
 const assert = require('node:assert/strict');
-const {spawn} = require('node:child_process');
+const {execFileSync, spawn} = require('node:child_process');
 const fs = require('node:fs');
 const http = require('node:http');
 const {after, before, test} = require('node:test');
@@ -21,8 +21,10 @@ before(async () => {
 });
 after(() => browser.close());
 
-/* Start the server for a lesson: its address, and how to end it. */
+/* Start the server for a lesson, whose program is built as `make live` does it before: its address, and
+ * how to end it. */
 async function serve(step) {
+    execFileSync('make', ['-s', `build/moving/${step}`], {cwd: course});
     const server = spawn('build/live', ['build', 'make -s', step], {cwd: course});
     const address = await new Promise(done => server.stdout.once('data', text => done(`${text}`.trim())));
     const ended = new Promise(done => server.once('exit', done));
