@@ -39,8 +39,9 @@ trap 'exit 0' HUP INT TERM
 seen=
 while :; do
     now=$(sums)
-    # A file that an editor is just replacing may be missing or empty: then the next look counts.
-    if [ "$now" != "$seen" ] && [ -s "$lesson/main.c" ]; then
+    # A file that an editor is just writing may be missing or empty, or change meanwhile: then the next
+    # look counts.
+    if [ "$now" != "$seen" ] && [ -s "$lesson/main.c" ] && [ "$now" = "$(sums)" ]; then
         seen=$now
         show_and_check
     fi

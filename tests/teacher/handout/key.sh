@@ -26,7 +26,7 @@ workers=${WORKERS:-$(getconf _NPROCESSORS_ONLN 2>/dev/null || echo 2)}
 . tests/student/lesson.sh
 . tests/student/marked.sh
 . tests/teacher/handout/out.sh
-begin_out "$(mktemp -d "$build/verify.XXXXXX")"
+begin_out "$(mktemp -d "$build/key.XXXXXX")"
 
 # The solutions, and all mistakes, become programs of $work/table, as tests/upkeep/verify has it. Mistakes
 # are changes of the marked source, wherever that is found.

@@ -55,7 +55,7 @@ key() {
 refuses() {
     key "$1" "$work/refused" "$3"
     grep -q "$2" "$work/said" || wrong "does not say: $2"
-    ls -d "$work"/refused* "$build"/verify.* >"$work/said" 2>/dev/null
+    ls -d "$work"/refused* "$build"/key.* >"$work/said" 2>/dev/null
     [ ! -s "$work/said" ] || wrong "leaves something behind"
 }
 
