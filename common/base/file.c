@@ -262,43 +262,55 @@ bool file_exists(const char *path) {
     return stat(path, &status) == 0;
 }
 
-/* Give the last part of the path, `name`, the letters that the directory has for it. False where no
- * file fits, or several do. */
-static bool take_letters(char *path, char *name) {
-    size_t fitting = 0;
 #ifdef LISTS_DIRECTORIES
-    const char first = *name;
-    *name = '\0';
-    DIR *list = opendir(path[0] == '\0' ? "." : path);
-    *name = first;
+/* Count the files that fit the path in any letters, and copy one's path to `found`. What comes before
+ * `at` is a directory in `tried`; the next one is taken as it is written, where that leads to a file. */
+static size_t count_fitting(const char *path, size_t at, char *tried, char *found) {
+    const struct word name = {path + at, strcspn(path + at, "/")};
+    const size_t end = at + name.length;
+    const bool is_last = path[end] == '\0';
+    size_t fitting = 0;
+    memcpy(tried + at, name.start, name.length);
+    tried[end] = '\0';
+    if (!is_last && (end == 0 || file_exists(tried))) {
+        tried[end] = '/';
+        fitting = count_fitting(path, end + 1, tried, found);
+    }
+    if (fitting > 0) {
+        return fitting;
+    }
+    tried[at] = '\0';
+    DIR *list = opendir(at == 0 ? "." : tried);
     for (const struct dirent *entry; list != NULL && (entry = readdir(list)) != NULL;) {
-        if (word_matches(word_of(entry->d_name), name)) {
-            memcpy(name, entry->d_name, strlen(name));
-            fitting++;
+        if (word_matches(name, entry->d_name) && (is_last || !word_is(name, entry->d_name))) {
+            memcpy(tried + at, entry->d_name, name.length);
+            tried[end] = path[end];
+            fitting += is_last ? 1 : count_fitting(path, end + 1, tried, found);
+            if (is_last) {
+                memcpy(found, tried, end + 1);
+            }
         }
     }
     if (list != NULL) {
         closedir(list);
     }
-#else
-    (void)path, (void)name;
-#endif
-    return fitting == 1;
+    return fitting;
 }
+#endif
 
 bool file_find(char *path) {
-    for (char *name = path; !file_exists(path);) {
-        char *end = name + strcspn(name, "/");
-        const char kept = *end;
-        *end = '\0';
-        const bool there = end == name || file_exists(path) || take_letters(path, name);
-        *end = kept;
-        if (!there || kept == '\0') {
-            return there;
-        }
-        name = end + 1;
+    bool is_found = file_exists(path);
+#ifdef LISTS_DIRECTORIES
+    char *tried = is_found ? NULL : string_format("%s", path);
+    char *found = is_found ? NULL : string_format("%s", path);
+    if (tried != NULL && found != NULL && count_fitting(path, 0, tried, found) == 1) {
+        memcpy(path, found, strlen(found));
+        is_found = true;
     }
-    return true;
+    free(tried);
+    free(found);
+#endif
+    return is_found;
 }
 
 uint64_t file_size(const char *path) {

@@ -418,7 +418,8 @@ static void test_size(void) {
     place_remove(&place, "none");
 }
 
-/* A file in other letters, which the path gets then; none where two fit. */
+/* A file in other letters, which the path gets then, also where two directories differ in letters
+ * alone; none where two fit. */
 static void test_find(void) {
     static const struct {
         const char *path, *found; /* NULL: none */
@@ -435,10 +436,24 @@ static void test_find(void) {
         {"none/note.txt", NULL},
         {"//Two", "//Two"},
         {"N\xC3\xA4", "n\xC3\xA4"},
+        {"DIR/ONE", "Dir/one"},
+        {"dir/One", "Dir/one"},
+        {"DIR/both", NULL},
+        {"dir/BOTH", "dir/both"},
+        {"DIR/two", "dir/two"},
+        {"DIR//one", "Dir//one"},
+        {"DIR/none", NULL},
+        {"./DIR/ONE", "./Dir/one"},
     };
     struct place place = place_create();
     CHECK(put_text(name_file(&place, "Note.txt"), "") && put_text(name_file(&place, "Two"), "") &&
           put_text(name_file(&place, "tWO"), "") && put_text(name_file(&place, "n\xC3\xA4"), ""));
+    struct error error;
+    CHECK(
+        directory_create(name_file(&place, "Dir"), &error) &&
+        directory_create(name_file(&place, "dir"), &error) &&
+        put_text(name_file(&place, "Dir/one"), "") && put_text(name_file(&place, "Dir/both"), "") &&
+        put_text(name_file(&place, "dir/two"), "") && put_text(name_file(&place, "dir/both"), ""));
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
         char path[200];
         snprintf(path, sizeof path, "%s", name_file(&place, rows[i].path));
@@ -446,6 +461,11 @@ static void test_find(void) {
         CHECK_ROW(rows[i].found == NULL || strcmp(path, name_file(&place, rows[i].found)) == 0,
                   rows[i].path);
     }
+    static const char *const files[] = {"Dir/one", "Dir/both", "dir/two", "dir/both"};
+    for (size_t i = 0; i < sizeof files / sizeof files[0]; i++) {
+        CHECK(unlink(name_file(&place, files[i])) == 0);
+    }
+    CHECK(rmdir(name_file(&place, "Dir")) == 0 && rmdir(name_file(&place, "dir")) == 0);
     place_remove(&place, "Note.txt,Two,tWO,n\xC3\xA4");
 }
 
