@@ -35,9 +35,10 @@ bool file_write_encoded(const char *path, bool encoded, struct bytes *bytes, str
 
 bool file_exists(const char *path);
 
-/* Is there such a file, or just one in other letters, small or capital? The path gets its letters. A
- * directory that is written so comes first; where the file isn't in it, those in other letters are
- * looked through. (None is listed on systems to which letters are the same, or which have none.) */
+/* Is there such a file, or just one in other letters, small or capital? The path gets its letters.
+ * A directory that is written so comes first; where the file isn't in it, those in other letters
+ * are looked through. (None is listed on systems to which letters are the same, or which have
+ * none.) */
 bool file_find(char *path);
 
 /* Bytes in the file; 0 where there is none. */
