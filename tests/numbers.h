@@ -279,8 +279,7 @@ static inline struct shown show_pixels(struct image *image) {
         }                                                                                          \
     } while (0)
 
-/* True or false; a colour. */
-#define TRUTH(task, call, right) TEXT(task, #call, show_truth(call), (right) ? "true" : "false")
+/* A colour. */
 #define COLOR(task, call, right) TEXT(task, #call, show_color(call), show_color(right).text)
 
 /* All calls of the lesson, defined in numbers.c. */

@@ -4,7 +4,6 @@
 
 #include "files/model_file.h"
 #include "files/normals.h"
-#include "options.h"
 #include "ours.h"
 #include "pipeline.h"
 
