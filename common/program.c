@@ -36,8 +36,7 @@ static int compare_doubles(const void *a, const void *b) {
 
 static double median(double *values, size_t value_count) {
     qsort(values, value_count, sizeof *values, compare_doubles);
-    size_t middle = value_count / 2;
-    return value_count % 2 ? values[middle] : (values[middle - 1] + values[middle]) / 2;
+    return (values[(value_count - 1) / 2] + values[value_count / 2]) / 2;
 }
 
 /* ---- Scenes ---- */

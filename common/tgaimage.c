@@ -10,7 +10,6 @@
 #include "base/large_pages.h"
 
 #include <assert.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 

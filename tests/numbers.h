@@ -159,15 +159,20 @@ static inline bool are_near(const double *yours, const double *right, size_t cou
     return near;
 }
 
-/* "(0.5, 1, 0)". */
-static inline struct shown show_reals(const double *values, size_t count) {
-    struct shown shown = show("(");
+/* "0.5 1 0", with that between two numbers. */
+static inline struct shown show_joined(const double *values, size_t count, const char *between) {
+    struct shown shown = {""};
     for (size_t i = 0; i < count; i++) {
         size_t length = strlen(shown.text);
-        snprintf(shown.text + length, sizeof shown.text - length, "%s%.5g", i > 0 ? ", " : "",
+        snprintf(shown.text + length, sizeof shown.text - length, "%s%.5g", i > 0 ? between : "",
                  values[i]);
     }
-    return show("%.190s)", shown.text);
+    return shown;
+}
+
+/* "(0.5, 1, 0)". */
+static inline struct shown show_reals(const double *values, size_t count) {
+    return show("(%.190s)", show_joined(values, count, ", ").text);
 }
 
 static inline void end_whole(long long yours, long long right) {
@@ -274,8 +279,7 @@ static inline struct shown show_pixels(struct image *image) {
         }                                                                                          \
     } while (0)
 
-/* True or false; a colour. */
-#define TRUTH(task, call, right) TEXT(task, #call, show_truth(call), (right) ? "true" : "false")
+/* A colour. */
 #define COLOR(task, call, right) TEXT(task, #call, show_color(call), show_color(right).text)
 
 /* All calls of the lesson, defined in numbers.c. */

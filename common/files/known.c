@@ -5,9 +5,6 @@
 #include "files/find.h"
 #include "files/image_file.h"
 
-#include <stdint.h>
-#include <string.h>
-
 enum kind { MODEL, PICTURE, PAGE, POINTER, GZIP, ZIP, DAMAGED };
 
 static const char *const advices[] = {

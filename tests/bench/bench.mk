@@ -31,7 +31,7 @@ $(BUILD)/benchmark: $(filter-out %/figures.o,$(call OBJECTS_OF,bench oracle)) $(
                     $(BUILD)/libcommon.a
 	$(Q)$(LINK) $(OPENMP) $^ -lm -o $@
 
-# With lesson 9 also what it is worth to skip, where most of a scene is hidden or off screen.
+# With lesson 9 also what it is worth to skip, where most of a scene is hidden.
 bench: $(BUILD)/benchmark $(BUILD)/bench-frame models
 	@mkdir -p $(BUILD)/bench
 	$(Q)$(BUILD)/benchmark $(STEP)

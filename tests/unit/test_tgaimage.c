@@ -484,11 +484,6 @@ static void test_tga_packs(void) {
     struct error error;
     struct bytes file = {0};
     CHECK(!tga_encode(&image, &file, &error) && file.size == 0);
-    /* An empty picture must become small: two packets a row. */
-    image = new_image(256, 4, IMAGE_BGR);
-    CHECK(tga_encode(&image, &file, &error) && file.size == 18 + 4 * 2 * 4 + 26);
-    image_free(&image);
-    bytes_free(&file);
     /* 128 rows of packets take just what the raw pixels do, and one more is written behind them. */
     image = new_image(4096, 129, IMAGE_GREY);
     for (size_t i = 0; i < 4096 * 129; i++) {

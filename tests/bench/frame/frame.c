@@ -24,22 +24,35 @@
 #define _DEFAULT_SOURCE /* clock_gettime, getloadavg */
 #include "exact.h"
 #include "llvmpipe.h"
-#include "options.h"
 #include "ours.h"
 #include "skipping.h"
 #include "table.h"
 
 #include "bench/memory.h"
 #include "bench/timing.h"
+#include "check/arguments.h"
 
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 /* What is measured, and only the first of both where it must be quick: sizes of the image, and
  * about how many triangles. */
 enum { STEPS = 3 };
 static const size_t widths[STEPS] = {800, 1920, 3840}, heights[STEPS] = {800, 1080, 2160};
 static const size_t triangles[STEPS] = {2500, 40000, 640000};
+
+enum { THREADS_LIMIT = 16 };
+
+struct options {
+    const char *model;
+    enum frame_look look; /* this one alone; FRAME_LOOKS: all */
+    size_t frames;        /* timed of each, 1..FRAMES_LIMIT */
+    size_t threads;       /* that draw, on both sides, 1..THREADS_LIMIT */
+    bool quick;           /* at the first size, of the model as it is */
+    bool skipping;        /* measure only what shortcuts are worth */
+    bool help;            /* nothing but that */
+};
 
 struct bench {
     struct options options;
@@ -156,7 +169,7 @@ static bool measure_look(struct bench *b, enum frame_look look, struct error *er
 
 static bool measure_all(struct bench *b, struct error *error) {
     const struct options *o = &b->options;
-    table_print_time_head(o);
+    table_print_time_head(o->threads, o->frames);
     for (enum frame_look look = FRAME_FLAT; look < FRAME_LOOKS; look++) {
         if (o->look != FRAME_LOOKS && o->look != look) {
             continue;
@@ -233,10 +246,68 @@ static bool run(const struct options *options, struct error *error) {
     return done;
 }
 
+/* ---- The command line ---- */
+
+static bool read_frames(const char *value, void *target) {
+    return argument_number(value, target) && *(size_t *)target <= FRAMES_LIMIT;
+}
+
+static bool read_threads(const char *value, void *target) {
+    return argument_number(value, target) && *(size_t *)target <= THREADS_LIMIT;
+}
+
+static bool read_look(const char *value, void *target) {
+    enum frame_look look = FRAME_FLAT;
+    while (look < FRAME_LOOKS && strcmp(value, frame_look_name[look]) != 0) {
+        look++;
+    }
+    *(enum frame_look *)target = look;
+    return look < FRAME_LOOKS;
+}
+
+static bool be_quick(const char *value, void *target) {
+    struct options *options = target;
+    (void)value;
+    options->frames = 3;
+    options->quick = true;
+    return true;
+}
+
+/* Print the help where that is wanted. False, with a message, where the command line is wrong. */
+static bool read_options(struct options *o, int argc, char **argv, struct error *error) {
+    const struct argument known[] = {
+        {"--look", "NAME", "only this look: flat, gouraud or phong", read_look, &o->look},
+        {"--frames", "N", "frames that are timed of each (default 15)", read_frames, &o->frames},
+        {"--threads", "N", "that draw, on both sides (default 1)", read_threads, &o->threads},
+        {"--quick", "", "3 frames, at the first size, of the model as it is", be_quick, o},
+        {"--skipping", "",
+         "only what each shortcut is worth, and what a frame of ever more faces does",
+         argument_flag, &o->skipping},
+    };
+    const size_t known_count = sizeof known / sizeof known[0];
+    *o = (struct options){.look = FRAME_LOOKS, .frames = 15, .threads = 1};
+    o->help = arguments_want_help(argc, argv);
+    if (o->help) {
+        puts("usage: bench-frame [options] [model]\n\n"
+             "The time of a frame: this course's pipeline and, where Mesa is installed, "
+             "llvmpipe.\n");
+        arguments_print_help(known, known_count);
+        puts("\nThe model is an OBJ file, by default the bust; a look whose textures it lacks is "
+             "left out.");
+        return true;
+    }
+    int models = arguments_read(known, known_count, argc, argv, error);
+    if (models > 1) {
+        return error_set(error, "more than one model");
+    }
+    o->model = models == 1 ? argv[1] : COURSE_BUILD "/models/bust.obj";
+    return models >= 0;
+}
+
 int main(int argc, char **argv) {
     struct options options;
     struct error error;
-    if (!options_read(&options, argc, argv, &error)) {
+    if (!read_options(&options, argc, argv, &error)) {
         fprintf(stderr, "bench-frame: %s; --help prints the options\n", error.message);
         return 2;
     }

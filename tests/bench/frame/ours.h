@@ -4,8 +4,6 @@
 
 #include "scene.h"
 
-#include <stdint.h>
-
 /* All zero is valid, and draws nothing yet. */
 struct ours {
     struct pipeline pipeline;

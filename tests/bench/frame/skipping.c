@@ -4,7 +4,6 @@
 
 #include "files/model_file.h"
 #include "files/normals.h"
-#include "options.h"
 #include "ours.h"
 #include "pipeline.h"
 
@@ -42,43 +41,11 @@ SHADER(lit, .varying_count = 3, .vertex = lit_vertex, .fragment = lit_fragment);
 
 /* ---- Scenes ---- */
 
-struct models {
-    struct model head, ball;
-};
-
-struct object {
-    const struct model *model;
-    struct vec3 place;
-    double size;
-};
-
-static struct object head_and_ball(const struct models *models, int i) {
-    return i == 0 ? (struct object){&models->head, {0, 0, 0}, 1}
-                  : (struct object){&models->ball, {0, 0, 1.5}, 1.2};
-}
-
-static struct object nested_balls(const struct models *models, int i) {
-    return (struct object){&models->ball, {0, 0, 0}, (i + 1) / 64.0};
-}
-
-/* In rows of 20. */
-static struct object crowd(const struct models *models, int i) {
-    return (struct object){&models->head, {i % 20 - 9.5, 0, i / 20 - 14.0}, 0.6};
-}
-
+/* So many of the model, one in the other. */
 struct scene {
     const char *name;
-    struct vec3 eye;
+    const struct model *model;
     int count;
-    struct object (*object)(const struct models *models, int i);
-};
-
-/* The crowd is seen from above its first row; as many are outside the view and behind the eye. */
-static const struct scene scenes[] = {
-    {"a head", {1, 1, 3}, 1, head_and_ball},
-    {"a head behind a ball", {0, 0, 4}, 2, head_and_ball},
-    {"64 balls, one in the other", {1, 1, 3}, 64, nested_balls},
-    {"a crowd of 400 heads", {0, 0.5, 3}, 400, crowd},
 };
 
 /* ---- Drawing ---- */
@@ -102,25 +69,22 @@ enum { WAYS = sizeof ways / sizeof ways[0] };
 struct skipping {
     struct pipeline pipeline;
     struct image image;
-    struct models models;
+    struct model head, ball;
     double seconds[WAYS][FRAMES_LIMIT];
 };
 
 static bool draw(struct skipping *s, const struct scene *scene, const struct way *way,
                  struct error *error) {
-    static const struct vec3 center = {0, 0, 0}, up = {0, 1, 0};
-    struct draw_call call = camera_call(NULL, scene->eye, center, up, 1, everywhere, way->cull);
+    static const struct vec3 eye = {1, 1, 3}, center = {0, 0, 0}, up = {0, 1, 0};
+    struct draw_call call = camera_call(scene->model, eye, center, up, 1, everywhere, way->cull);
     const struct mat4 camera = call.to_clip;
     s->pipeline.skip = way->skip;
     pipeline_clear(&s->pipeline);
     memset(s->image.pixels, 0, SIDE * SIDE * (size_t)s->image.format);
-    for (int i = 0; i < scene->count; i++) {
-        const struct object o = scene->object(&s->models, i);
-        struct mat4 to_world = mat4_mul(mat4_translation(o.place),
-                                        mat4_scaling((struct vec3){o.size, o.size, o.size}));
-        call.model = o.model;
-        call.to_clip = mat4_mul(camera, to_world);
-        if (!pipeline_draw(&s->pipeline, &call, &lit, &o.model, sizeof(void *), error)) {
+    for (int i = 1; i <= scene->count; i++) {
+        const double size = (double)i / scene->count;
+        call.to_clip = mat4_mul(camera, mat4_scaling((struct vec3){size, size, size}));
+        if (!pipeline_draw(&s->pipeline, &call, &lit, &scene->model, sizeof(void *), error)) {
             return false;
         }
     }
@@ -216,8 +180,8 @@ static bool read_model(struct model *model, const char *path, struct error *erro
 }
 
 static bool set_up(struct skipping *s, const char *path, struct error *error) {
-    return read_model(&s->models.head, path, error) &&
-           read_model(&s->models.ball, COURSE_BUILD "/models/sphere.obj", error) &&
+    return read_model(&s->head, path, error) &&
+           read_model(&s->ball, COURSE_BUILD "/models/sphere.obj", error) &&
            image_create(&s->image, SIDE, SIDE, IMAGE_BGRA, error) &&
            pipeline_create(&s->pipeline, SIDE, SIDE, error);
 }
@@ -238,11 +202,12 @@ bool skipping_measure(const char *model, size_t frames, struct error *error) {
         pipeline_use_threads(&s->pipeline, 1);
         print_head();
     }
-    for (size_t i = 0; done && i < sizeof scenes / sizeof scenes[0]; i++) {
-        done = measure_scene(s, &scenes[i], frames, error);
-    }
-    model_free(&s->models.head);
-    model_free(&s->models.ball);
+    const struct scene head = {"a head", &s->head, 1};
+    const struct scene balls = {"64 balls, one in the other", &s->ball, 64};
+    done =
+        done && measure_scene(s, &head, frames, error) && measure_scene(s, &balls, frames, error);
+    model_free(&s->head);
+    model_free(&s->ball);
     image_free(&s->image);
     pipeline_free(&s->pipeline);
     free(s);

@@ -17,12 +17,12 @@ static double ratio(const struct cell *cell) {
 
 /* ---- Times ---- */
 
-void table_print_time_head(const struct options *options) {
+void table_print_time_head(size_t threads, size_t frames) {
     printf(
         "\nBoth sides clear the whole image before each frame.\n"
         "\nMilliseconds a frame, %zu thread%s, the median of %zu (and how far apart the quartiles "
         "are);\nhow many times as fast as llvmpipe\n\n",
-        options->threads, options->threads == 1 ? "" : "s", options->frames);
+        threads, threads == 1 ? "" : "s", frames);
     printf("%-7s %-9s %9s | %-16s  %-16s %5s |\n", "look", "size", "triangles", "ours", "llvmpipe",
            "times");
 }

@@ -3,7 +3,6 @@
 #define TESTS_BENCH_FRAME_TABLE_H
 
 #include "exact.h"
-#include "options.h"
 
 /* Those who draw, in the order of the tables. */
 enum side { OURS, MESA, SIDES };
@@ -30,7 +29,7 @@ struct table {
     bool has_mesa;
 };
 
-void table_print_time_head(const struct options *options);
+void table_print_time_head(size_t threads, size_t frames);
 void table_print_times(const struct table *table, const struct cell *cell);
 void table_print_errors(const struct table *table);
 

@@ -39,16 +39,15 @@ static struct shown called_depth_at(struct vec2 a, struct vec2 b, size_t width, 
 /* Draw one segment or two, from end to end, in a row. "-inf 10 20": its depths then, or "2 1 0":
  * which of the segments each column shows; 0 is none. */
 static struct shown called_row(const struct vec2 *ends, int count, bool depths) {
-    struct shown shown = {""};
+    double reds[CALLED_SIDE];
     called_begin(CALLED_SIDE, 1, -INFINITY);
     for (int i = 0; i < count; i++) {
         called_draw(ends[2 * i], ends[2 * i + 1], i + 1);
     }
     for (int x = 0; x < CALLED_SIDE; x++) {
-        shown = show("%.180s%s%.5g", shown.text, x > 0 ? " " : "",
-                     depths ? called_depths[x] : image_get(&called_sheet, x, 0).r);
+        reds[x] = image_get(&called_sheet, x, 0).r;
     }
-    return shown;
+    return show_joined(depths ? called_depths : reds, CALLED_SIDE, " ");
 }
 
 /* Columns 0 to 3 of rows 0 and 1, after a segment was drawn into row 1. */
@@ -118,17 +117,9 @@ static struct shown called_counted(void) {
 /* The depths of 5 x 3 pixels under a triangle that is larger, row by row from the bottom. */
 static struct shown called_wide(void) {
     const struct vertex v[3] = {{{-384, -384}, -21}, {{4736, -384}, -1}, {{-384, 4736}, 179}};
-    struct shown shown = {""};
     called_begin(5, 3, -INFINITY);
     triangle(&called_canvas, v, rgb(1, 0, 0));
-    for (int i = 0; i < 16; i++) {
-        shown = show("%.180s%s%.5g", shown.text,
-                     i == 0    ? ""
-                     : i == 15 ? ", behind "
-                               : " ",
-                     called_depths[i]);
-    }
-    return shown;
+    return show("%.150s, behind %.5g", show_joined(called_depths, 15, " ").text, called_depths[15]);
 }
 
 /* How many different depths are there inside a triangle with this depth at all corners? */

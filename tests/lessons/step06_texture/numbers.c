@@ -97,18 +97,10 @@ static struct shown called_wide(const struct texture *texture) {
                                 {.position = {4736, -384}, .depth = -1},
                                 {.position = {-384, 4736}, .depth = 179}};
     struct image wide = {5, 3, IMAGE_BGR, called_bytes};
-    struct shown shown = {""};
     called_begin(-1);
     called_canvas.image = &wide;
     triangle(&called_canvas, v, texture, 1);
-    for (int i = 0; i < 16; i++) {
-        shown = show("%.180s%s%.5g", shown.text,
-                     i == 0    ? ""
-                     : i == 15 ? ", behind "
-                               : " ",
-                     called_depths[i]);
-    }
-    return shown;
+    return show("%.150s, behind %.5g", show_joined(called_depths, 15, " ").text, called_depths[15]);
 }
 
 /* ---- Perspective ---- */

@@ -86,26 +86,11 @@ static const struct scene trials[] = {
     {.name = "more_looks", .draw = try_more_looks},
     {.name = "culling", .draw = try_culling},
     /* Not square, and odd: a square or a large picture hides some mistakes. */
-    {
-        .name = "wide",
-        .detail = true,
-        .needs = MESH | NEEDS_DEPTH,
-        .width = 203,
-        .height = 67,
-        .draw = try_loops,
-    },
-    {
-        .name = "high",
-        .detail = true,
-        .needs = MESH | NEEDS_DEPTH,
-        .width = 61,
-        .height = 181,
-        .draw = try_loops,
-    },
+    {.name = "wide", .needs = MESH | NEEDS_DEPTH, .width = 203, .height = 67, .draw = try_loops},
+    {.name = "high", .needs = MESH | NEEDS_DEPTH, .width = 61, .height = 181, .draw = try_loops},
     /* No band is as high: the first one is the last, and cut. */
     {
         .name = "small",
-        .detail = true,
         .needs = TEXTURED_MESH | NEEDS_DEPTH,
         .width = 23,
         .height = 13,
@@ -114,7 +99,6 @@ static const struct scene trials[] = {
     },
     {
         .name = "one_pixel",
-        .detail = true,
         .needs = TEXTURED_MESH | NEEDS_DEPTH,
         .width = 1,
         .height = 1,

@@ -45,39 +45,17 @@ static const struct scene trials[] = {
     {.name = "matt", .draw = try_matt},
     {.name = "turn", .draw = try_turn},
     /* Not square, and odd: a square or a large picture hides some mistakes. */
-    {
-        .name = "wide",
-        .detail = true,
-        .needs = MAPPED_MESH,
-        .width = 203,
-        .height = 67,
-        .draw = draw_heads,
-    },
-    {
-        .name = "high",
-        .detail = true,
-        .needs = MAPPED_MESH,
-        .width = 61,
-        .height = 181,
-        .draw = draw_heads,
-    },
+    {.name = "wide", .needs = MAPPED_MESH, .width = 203, .height = 67, .draw = draw_heads},
+    {.name = "high", .needs = MAPPED_MESH, .width = 61, .height = 181, .draw = draw_heads},
     {
         .name = "small",
-        .detail = true,
         .needs = MESH,
         .width = 23,
         .height = 13,
         .light = {-1, 0.5, 0.4},
         .draw = try_matt,
     },
-    {
-        .name = "one_pixel",
-        .detail = true,
-        .needs = MESH,
-        .width = 1,
-        .height = 1,
-        .draw = try_matt,
-    },
+    {.name = "one_pixel", .needs = MESH, .width = 1, .height = 1, .draw = try_matt},
 };
 
 MAIN_WITH(trials)

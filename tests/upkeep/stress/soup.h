@@ -27,8 +27,7 @@ enum soup_kind {
     SOUP_CAMERA, /* around a camera anywhere: many faces are cut at the near plane or far outside */
     SOUP_WIDE,   /* an image of 16384 x 12 pixels; corners inside, just outside, at the guard band,
                 * at NDC 10000 */
-    SOUP_HIGH,   /* the same of 12 x 16384 */
-    SOUP_KINDS
+    SOUP_HIGH    /* the same of 12 x 16384 */
 };
 
 enum {
