@@ -264,8 +264,8 @@ bool file_exists(const char *path) {
 
 #ifdef LISTS_DIRECTORIES
 /* Count the files that fit the path in any letters, and copy one's path to `found`. What comes
- * before `at` is a directory in `tried`; the next one is taken as it is written, where that leads to
- * a file. */
+ * before `at` is a directory in `tried`; the next one is taken as it is written, where that leads
+ * to a file. */
 static size_t count_fitting(const char *path, size_t at, char *tried, char *found) {
     const struct word name = {path + at, strcspn(path + at, "/")};
     const size_t end = at + name.length;
