@@ -139,6 +139,20 @@ for (const [kind, window] of Object.entries({desktop, phone})) {
                 const rows = await page.evaluate(() => [...document.querySelectorAll('p:has([width="49%"])')].map(
                     p => new Set([...p.querySelectorAll('img')].map(image => image.getBoundingClientRect().bottom)).size));
                 assert.ok(rows.every(count => count === 1), `${file}: pictures of one row in ${rows}`);
+                const [torn, small] = await page.evaluate(() => [ /* options of code, and words of drawings */
+                    [...document.querySelectorAll('main :not(pre) > code')].flatMap(({firstChild}) => {
+                        const range = document.createRange(), texts = document.createTreeWalker(firstChild.parentNode, NodeFilter.SHOW_TEXT), torn = [];
+                        while (texts.nextNode()) {
+                            for (const {index, 0: word} of texts.currentNode.data.matchAll(/\S*-\S*/g)) {
+                                range.setStart(texts.currentNode, index);
+                                range.setEnd(texts.currentNode, index + word.length);
+                                if (range.getClientRects().length > 1) torn.push(word);
+                            }
+                        }
+                        return torn;
+                    }),
+                    [...document.querySelectorAll('main p > img[src$=".svg"]')].map(image => image.clientWidth / image.getAttribute('width')).filter(scale => scale < .65)]);
+                assert.deepEqual([torn, small], [[], []], file);
                 await page.screenshot({path: `${pictures}/site_${kind}_${file.replaceAll('/', '_')}.png`});
             });
         }
@@ -327,8 +341,10 @@ for (const file of pages.filter(file => /^step/.test(file) && (file.endsWith('in
             assert.ok(!given.tell || told !== '', `${what}: it never tells a number`);
         }
         await page.evaluate(axe.source);
+        await page.setViewportSize(phone.viewport); /* as wide as a screen below, with the words */
         const {violations} = await page.evaluate(() => axe.run());
         assert.deepEqual(violations.map(v => `${v.id}: ${v.nodes.map(n => n.html + n.failureSummary)}`), []);
+        assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), 'too wide');
     }));
 }
 
