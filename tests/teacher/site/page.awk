@@ -95,6 +95,7 @@ function picture(line,    done, tag, source, offer) {
         source = address_of(substr(tag, RSTART + 5, RLENGTH - 5))
         if (tag !~ / width=/ && source in size) sub(/<img/, "<img " size[source], tag)
         if (sections != "") sub(/<img/, "<img loading=lazy", tag)
+        if (tag ~ / width="80"/) sub(/\.png"/, "_small.png\"", tag) # a row of the map
         if (match(tag, / title="live: [^"]*"/)) {
             living++
             if (lesson == "") lesson = substr(source, 1, index(source, "/") - 1)

@@ -110,20 +110,20 @@ test('all links lead somewhere, and none to a source', () => {
     assert.ok(!files.some(file => /BEGIN SOLUTION|#include "scenes.h"/.test(text(file))));
 });
 
-test('the whole is below 5.2 MB without textures, a page below 650 kB, and its program below 430 kB', t => {
+test('the whole is below 4.8 MB without textures, and a page with its program below 700 kB', t => {
     const textures = files.filter(file => /live\/bust_/.test(file)), sum = files => files.reduce((sum, file) => sum + size(file), 0);
     const whole = sum(files) - sum(textures);
     t.diagnostic(`${whole} bytes, and ${sum(textures)} of textures, which a scene loads that reads them`);
-    assert.ok(whole < 5.2e6 && sum(textures) < 3.7e6, `${whole}, ${sum(textures)}`);
-    assert.ok(size('live/program.js') < 430e3, `${size('live/program.js')}`);
+    assert.ok(whole < 4.8e6 && sum(textures) < 3.7e6, `${whole}, ${sum(textures)}`);
     for (const page of pages.filter(file => !file.endsWith('live.html'))) {
         const needed = new Set([page]);
         for (const [, source] of text(page).matchAll(/<(?:img|script|link rel=stylesheet) [^>]*(?:src|href)="([^":]+)"/g)) {
             needed.add(path.join(path.dirname(page), source));
         }
-        const sum = [...needed].reduce((sum, file) => sum + size(file), 0);
-        t.diagnostic(`${page}: ${sum} bytes`);
-        assert.ok(sum < 650e3, `${page}: ${sum}`);
+        if (needed.has('live/wasm.js')) needed.add('live/program.js');
+        const weight = sum([...needed]);
+        t.diagnostic(`${page}: ${weight} bytes`);
+        assert.ok(weight < (page === 'step06_texture/index.html' ? 850e3 : 700e3), `${page}: ${weight}`); /* of lesson 6 pictures are the subject */
     }
 });
 
