@@ -494,6 +494,8 @@ test('a wide screen cuts no program of 100 columns, and figures are as wide as t
 /* make live has a Markdown of its own, for machines without cmark-gfm: it makes the same of every text. */
 test('the lessons of make live are the same pages', () => on(served('index.html'), desktop, async page => {
     await page.evaluate(`${fs.readFileSync('tests/student/live/text.js')}; window.render = htmlOfMarkdown`);
+    const first = await page.evaluate(text => render(text, link => link), fs.readFileSync('README.md', 'utf8'));
+    assert.ok(first.includes('turn.png') && !first.includes('live: turn')); /* no pointer shows a figure's title */
     for (const file of pages.filter(file => /^step/.test(file) && !file.endsWith('live.html'))) {
         const source = file.replace('index.html', 'README.md').replace('.html', '.md');
         const [site, live] = await page.evaluate(([html, text]) => {
