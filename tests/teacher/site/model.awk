@@ -1,6 +1,6 @@
 # A model's text as gzip likes it. Lines that look alike follow each other, as those of all positions:
 # they become what they look like, with . for 0.5 and 0 for a whole number, how many they are, and
-# their columns, each number less the one above it. wasm.js makes the text of it again.
+# their columns, each number less the one above it, where 0.5 is 500000. wasm.js makes the text of it again.
 
 /^#/ { next }
 
@@ -11,11 +11,11 @@
     if (look != last) end_rows()
     last = look
     rows++
-    gsub(/\./, "") # they all have six digits behind it
-    gsub(/[^-0-9]+/, " ")
+    gsub(/[^-.0-9]+/, " ")
     for (i = 1; i <= NF; i++) {
-        column[i, rows] = $i - above[i]
-        above[i] = $i + 0
+        number = $i ~ /\./ ? sprintf("%.0f", 1e6 * $i) : $i
+        column[i, rows] = number - above[i]
+        above[i] = number + 0
     }
     columns = NF
 }
