@@ -482,7 +482,7 @@ const figures = (() => {
                 input.value = valueOf(name);
                 output.textContent = valueOf(name);
             });
-            return make("label", {}, make("span", {textContent: help}), input, output);
+            return make("label", {}, make("span", {textContent: help}), make("span", {className: "slide"}, input, output));
         }
 
         // The frames, to and fro about the first one, as if it swung. Nothing moves out of view, nor where somebody

@@ -14,13 +14,13 @@ function htmlOfMarkdown(text, addressOf) {
 
     function inline(text) {
         const kept = [], keep = html => `\0${kept.push(html) - 1}\0`;
-        const left = text.replace(/(`+)(.+?)\1(?!`)/gs, (all, ticks, code) => keep(`<code>${escape(code)}</code>`))
+        const left = text.replace(/(`+)(.+?)\1(?!`)/gs, (all, ticks, code) => keep(`<code>${escape(code).replace(/[^ ]*-[^ ]*/g, "<nobr>$&</nobr>")}</code>`))
             .replace(/<!-- (above|below): (.+?) -->/g, (all, where, words) => keep(touch(where, words)))
             .replace(/<!-- \/ -->/g, () => keep("</span>")).replace(/<!--.*?-->/gs, "")
             .replace(/!\[([^\]]*)\]\(([^ )]+)(?: "([^"]*)")?\)/g, (all, ...parts) => keep(picture(...parts)))
             .replace(/\[([^\]]*)\]\(([^ )]+)\)/g, (all, words, link) =>
                 addressOf(link) === null ? words : `${keep(`<a href="${addressOf(link)}">`)}${words}${keep("</a>")}`)
-            .replace(/<\/?[a-z](?:"[^"]*"|[^">])*>/g, tag => keep(tag.replace(/ (src|href)="([^"]*)"/, (all, name, link) => addressOf(link) === null ? "" : ` ${name}="${addressOf(link)}"`)));
+            .replace(/<\/?[a-z](?:"[^"]*"|[^">])*>/g, tag => keep(tag.replace(/ title="live: [^"]*"/, "").replace(/ (src|href)="([^"]*)"/, (all, name, link) => addressOf(link) === null ? "" : ` ${name}="${addressOf(link)}"`)));
         let html = escape(left).replace(/\*\*(.+?)\*\*/gs, "<strong>$1</strong>").replace(/\*([^\s*](?:.*?[^\s])?)\*/gs, "<em>$1</em>");
         while (html.includes("\0")) { // what is kept may hold some that is kept, too
             html = html.replace(/\0(\d+)\0/g, (all, i) => kept[i]);
@@ -86,7 +86,7 @@ function htmlOfMarkdown(text, addressOf) {
                 i++;
             } else {
                 const words = inline(take((line, k) => k === 0 || !/^(\s*$|```|#+ |- |> |\||<\/?details)/.test(line)).join("\n"));
-                html += /^<figure/.test(words) ? words : `<p>${words}</p>`;
+                html += /^<figure/.test(words) ? words : `<p${/^<img [^>]*\.svg"/.test(words) ? " class=wide tabindex=0" : ""}>${words}</p>`;
             }
         }
         return html.replace(/<\/(ul|ol)><\1[^>]*>/g, ""); // items one after another are one list

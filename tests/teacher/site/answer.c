@@ -1,7 +1,7 @@
 /*
  * The lessons' programs as one module of WebAssembly, for web pages. They answer requests as with
  * --live (common/run/live.h), but whenever the page calls, since nothing can wait there; and their
- * files are in memory: two models, and textures, which the page loads when one is read first.
+ * files are the page's: two models, and textures, which it loads when one is read first.
  *
  * site.sh compiles it: main() of step05_zbuffer is step05_zbuffer_main() then, LESSONS lists such
  * names. Calls of live_loop(), stage_draw(), file_read() and others of file.h come here (--wrap).
@@ -14,27 +14,16 @@
 
 /* ---- Files ---- */
 
-/* A file's bytes and their number. */
-#define INCLUDE_FILE(name, file)                                                                   \
-    __asm__(".section .rodata." #name ",\"\",@\n" #name "_size:\n.int .L" #name " - " #name        \
-            "_file\n.size " #name "_size, 4\n" #name "_file:\n.incbin \"" file "\"\n"              \
-            ".L" #name ":\n.size " #name "_file, .L" #name " - " #name "_file\n");                 \
-    extern const unsigned char name##_file[];                                                      \
-    extern const unsigned name##_size
-
-INCLUDE_FILE(bust, "bust.obj");
-INCLUDE_FILE(knot, "knot.off");
-
-enum { BUST, KNOT, FIRST_TEXTURE, FILE_COUNT = FIRST_TEXTURE + 3 };
+enum { FILE_COUNT = 5 };
 
 static const char *const names[FILE_COUNT] = {"bust.obj", "knot.off", "bust_diffuse.png",
-                                              "bust_nm.png", "bust_spec.png"};
+                                              "bust_nm.png", "bust_spec.png"}; /* as in site.sh */
 
-/* How many bytes the texture has, 0 where the page has not loaded it yet; and a copy of them. A
+/* How many bytes the file has, 0 where the page has not loaded it yet; and a copy of them. A
  * program that misses textures asks for them all, and ends before it draws. Then the page loads
  * them, begins the program again from the start, and asks again. */
-unsigned texture_size(int texture);
-void texture_copy(int texture, unsigned char *to);
+unsigned size_of_file(int file);
+void copy_file(int file, unsigned char *to);
 
 /* Leaves all functions that run, as wait_for_calls() does, where a texture was missing. */
 void wait_for_textures(void);
@@ -68,20 +57,14 @@ bool __wrap_file_find(char *path) {
 bool __wrap_file_read(const char *path, struct bytes *bytes, struct error *error) {
     int i = find_file(path);
     *bytes = (struct bytes){0};
-    if (i == BUST) {
-        return bytes_append(bytes, bust_file, bust_size);
-    }
-    if (i == KNOT) {
-        return bytes_append(bytes, knot_file, knot_size);
-    }
     if (i == FILE_COUNT) {
         return error_set(error, "%s: a web page has no such file", path);
     }
-    unsigned size = texture_size(i - FIRST_TEXTURE);
+    unsigned size = size_of_file(i);
     if (size == 0 || !bytes_reserve(bytes, size)) {
         return error_set(error, "%s: is not there yet", path);
     }
-    texture_copy(i - FIRST_TEXTURE, bytes->data);
+    copy_file(i, bytes->data);
     bytes->size = size;
     return true;
 }

@@ -17,7 +17,9 @@ BEGIN {
         title[pages] = $2
         if ($1 == page) here = pages
     }
-    while ((getline <sizes) > 0) size[$1] = "width=" $2 " height=" $3
+    while ((getline <sizes) > 0) {
+        size[$1] = "width=" $2 " height=" $3 ($1 ~ /png$/ && $2 > 612 && $3 > .7 * $2 ? " class=tall" : "")
+    }
 }
 
 function plain(html) {
@@ -93,6 +95,7 @@ function picture(line,    done, tag, source, offer) {
         source = address_of(substr(tag, RSTART + 5, RLENGTH - 5))
         if (tag !~ / width=/ && source in size) sub(/<img/, "<img " size[source], tag)
         if (sections != "") sub(/<img/, "<img loading=lazy", tag)
+        if (tag ~ / width="80"/) sub(/\.png"/, "_small.png\"", tag) # a row of the map
         if (match(tag, / title="live: [^"]*"/)) {
             living++
             if (lesson == "") lesson = substr(source, 1, index(source, "/") - 1)
@@ -145,6 +148,17 @@ function touches_code(line,    i, count, word, tag, before) {
     return ++code_line in parts && line !~ /<\/pre>/ ? touch(where, parts[code_line], line) : line
 }
 
+# Words of code in a sentence, as --no-skip, end no line at their hyphens.
+function whole_words(line,    done, code) {
+    while (match(line, /<code>[^<]*<\/code>/)) {
+        code = substr(line, RSTART + 6, RLENGTH - 13)
+        gsub(/[^ ]*-[^ ]*/, "<nobr>&</nobr>", code)
+        done = done substr(line, 1, RSTART + 5) code "</code>"
+        line = substr(line, RSTART + RLENGTH)
+    }
+    return done line
+}
+
 # The bars of a matrix's row become brackets.
 function brackets(line,    done, side) {
     while (match(line, /\|/)) {
@@ -160,6 +174,8 @@ function brackets(line,    done, side) {
 /<pre>/, /<\/pre>/ { $0 = touches_code($0) }
 /<!-- / { $0 = touches($0) }
 { text = text " " plain($0) }
+/<code>[^<]*-/ && !/<pre>/ { $0 = whole_words($0) }
+/<p><img [^>]*\.svg"/ { sub(/<p>/, "<p class=wide tabindex=0>") } # wider than a telephone
 /<img/ { $0 = picture($0) }
 /href=/ { $0 = link($0) }
 page ~ /^step/ { gsub("make live STEP=" substr(page, 5, 2), "<a href=\"live.html\">&</a>") } # which is that

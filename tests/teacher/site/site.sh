@@ -21,7 +21,7 @@ wanted=
 . tests/teacher/handout/out.sh
 
 compile="clang --target=wasm32-wasi -Os -msimd128 -std=c17 -ffp-contract=off -fno-math-errno -Wno-psabi
-    -Icommon -I$build/models"
+    -Icommon"
 missing=
 for tool in cmark-gfm cwebp clang wasm-ld; do
     command -v $tool >/dev/null || missing="$missing $tool,"
@@ -66,12 +66,17 @@ bytes_of() {
     wc -c <"$1"
 }
 
+# The map's, as small as a screen of twice the pixels shows them.
+grep -oE 'src="[^"]*" width="80"' README.md | sed 's/^src="//; s/\.png".*//' | while IFS= read -r picture; do
+    cwebp -quiet -resize 160 0 -q 85 "$picture.png" -o "$new/${picture}_small.webp" || fail 1 "cannot convert $picture"
+done || exit 1
+
 # Pictures keep every pixel, except large ones that become much smaller when they change so little that nobody sees it.
 find "$new" -name '*.png' | while IFS= read -r picture; do
     exact=${picture%png}webp
-    cwebp -quiet -lossless -z 6 "$picture" -o "$exact" || fail 1 "cannot convert $picture"
+    cwebp -quiet -lossless -z 8 "$picture" -o "$exact" || fail 1 "cannot convert $picture"
     if [ "$(bytes_of "$exact")" -ge 20000 ]; then
-        cwebp -quiet -q 85 -sharp_yuv "$picture" -o "$work/similar.webp" || fail 1 "cannot convert $picture"
+        cwebp -quiet -q 80 -m 6 -sharp_yuv "$picture" -o "$work/similar.webp" || fail 1 "cannot convert $picture"
         [ $((5 * $(bytes_of "$work/similar.webp"))) -gt $((3 * $(bytes_of "$exact"))) ] || mv "$work/similar.webp" "$exact"
     fi
     rm "$picture"
@@ -114,12 +119,14 @@ printf '%s\n' $lessons | xargs -P "$(getconf _NPROCESSORS_ONLN)" -I @ \
         -Wl,--stack-first,-z,stack-size=1048576,-s,--wrap=live_loop,--wrap=stage_draw,--wrap=file_read,--wrap=file_exists,--wrap=file_find \
         -Wl,--export=start,--export=answer,--allow-undefined \
         tests/teacher/site/answer.c "$work"/*.o common/*.c common/[bfpr]*/*.c -lm || fail 1 "cannot compile the lessons"
-textures='bust_diffuse bust_nm bust_spec' # as in answer.c
+textures='bust_diffuse bust_nm bust_spec'
 {
-    printf 'const lessonPrograms = {lessons: "%s".split(" "), textures: "%s".split(" "), program: "' \
-        "${lessons# }" "$textures"
-    gzip -9nc "$work/program" | base64 | tr -d '\n'
-    echo '"};'
+    printf 'const lessonPrograms = {lessons: "%s".split(" "), files: "bust knot %s".split(" "), models: [' \
+        "${lessons# }" "$textures" # the files as in answer.c
+    for model in bust.obj knot.off; do
+        printf '"%s", ' "$(awk -f tests/teacher/site/model.awk "$build/models/$model" | gzip -9n | base64 | tr -d '\n')"
+    done
+    printf '], program: "%s"};\n' "$(gzip -9nc "$work/program" | base64 | tr -d '\n')"
 } >"$new/live/program.js"
 clang -O2 -std=c17 -Icommon tests/teacher/site/texture.c "$build/quick/libcommon.a" -lm -o "$work/texture" ||
     fail 1 "cannot compile what converts textures"

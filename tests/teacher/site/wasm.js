@@ -5,7 +5,7 @@
 // Runs in the worker, without the rest of this file.
 function runInWorker() {
     const unsupported = 8; // what all else of WASI says: no such file
-    const textures = [], missing = new Set(); // those that the page has loaded, and those that it should
+    const files = [], missing = new Set(); // those that are here, as bytes or as what gives them; those that the page should load
     let module, exports, input, output;
     const numbers = () => new DataView(exports.memory.buffer);
     const pieces = (vectors, count) => Array.from({length: count}, (_, i) =>
@@ -45,16 +45,23 @@ function runInWorker() {
                     throw "waiting";
                 }
             },
-            texture_size(number) {
-                if (textures[number] === undefined) {
+            size_of_file(number) {
+                if (files[number] === undefined) {
                     missing.add(number);
+                    return 0;
                 }
-                return textures[number]?.length ?? 0;
+                if (typeof files[number] === "string") {
+                    files[number] = new TextEncoder().encode(modelOf(files[number]));
+                }
+                return files[number].length;
             },
-            texture_copy(number, to) { new Uint8Array(exports.memory.buffer).set(textures[number], to); },
+            copy_file(number, to) { new Uint8Array(exports.memory.buffer).set(files[number], to); },
         },
     };
     function fromText(base64) {
+        if (Uint8Array.fromBase64 !== undefined) { // not in every browser yet, and much quicker
+            return Uint8Array.fromBase64(base64);
+        }
         const letters = atob(base64), bytes = new Uint8Array(letters.length);
         for (let i = 0; i < letters.length; i++) {
             bytes[i] = letters.charCodeAt(i);
@@ -62,9 +69,33 @@ function runInWorker() {
         return bytes;
     }
 
-    async function begin({program, lesson}) {
-        module ??= await WebAssembly.compile(await new Response(
-            new Blob([fromText(program)]).stream().pipeThrough(new DecompressionStream("gzip"))).arrayBuffer());
+    const unpacked = text => new Response(new Blob([fromText(text)]).stream().pipeThrough(new DecompressionStream("gzip")));
+
+    // A model's text, of its columns of differences (model.awk).
+    function modelOf(columns) {
+        const lines = columns.split("\n");
+        let text = "";
+        for (let at = 0; at < lines.length - 1;) {
+            const look = lines[at++], rows = Number(lines[at++]), words = look.split(/[.0]/);
+            const numbers = (look.match(/[.0]/g) ?? []).map(mark => {
+                const end = mark === "." ? "e-6" : ""; // quicker to write than a fraction
+                let sum = 0;
+                return lines[at++].trim().split(" ").map(step => (sum += Number(step)) + end);
+            });
+            for (let row = 0; row < rows; row++) {
+                text += words[0];
+                numbers.forEach((column, i) => { text += column[row] + words[i + 1]; });
+                text += "\n";
+            }
+        }
+        return text;
+    }
+
+    async function begin({program, models, lesson}) {
+        if (module === undefined) {
+            files.push(...await Promise.all(models.map(model => unpacked(model).text())));
+            module = await WebAssembly.compile(await unpacked(program).arrayBuffer());
+        }
         exports = (await WebAssembly.instantiate(module, imports)).exports;
         exports._initialize();
         untilItWaits(() => exports.start(lesson));
@@ -99,7 +130,7 @@ function runInWorker() {
         }
         postMessage({missing: [...missing]});
         for (const [number, texture] of await new Promise(done => { arrived = done; })) {
-            textures[number] = fromText(texture);
+            files[number] = fromText(texture);
         }
         missing.clear();
         await begin(first);
@@ -156,7 +187,7 @@ const program = (() => {
             }
             try {
                 worker.postMessage({textures: await Promise.all(data.missing.map(async number => {
-                    const name = lessonPrograms.textures[number];
+                    const name = lessonPrograms.files[number];
                     await load(new URL(`${name}.js`, here)); // which defines lessonPrograms[name]
                     return [number, lessonPrograms[name]];
                 }))});
@@ -166,7 +197,7 @@ const program = (() => {
         };
         worker.onerror = ({message}) => waiting.shift()?.fail(new Error(message));
         const lesson = lessonPrograms.lessons.indexOf(step);
-        const bytes = await ask({program: lessonPrograms.program, lesson, request: ""});
+        const {program, models} = lessonPrograms, bytes = await ask({program, models, lesson, request: ""});
         return JSON.parse(new TextDecoder().decode(bytes));
     }
 
