@@ -99,16 +99,18 @@ names() {
         END { for (name in of) print "#define " name " " of[name] }' >"$build/hers/$lesson.h"
 }
 
-# missing LESSON TASKS: the first of them that hasn't all its points.
+# missing LESSON TASKS: the first of them that hasn't all its points, or `build`.
 missing() {
+    ! grep -q '"state": "BUILD"' "$build/hers/$1.json" || { echo build && return; }
     right=$(right_tasks "$1" | tr '\n' ' ')
     for task in $(echo "$2" | tr , ' '); do
         case " $right" in *" $task "*) ;; *) echo "$task" && return ;; esac
     done
+    echo build
 }
 
 # find_words [EXCEPT]: sets mine and ours to words of the table, for what the lesson draws with: ours as
-# WORD:TASK, which is why.
+# WORD:TASK or WORD:build, which is why.
 find_words() {
     mine=
     ours=
@@ -142,11 +144,12 @@ is_before() {
     [ "$(number_of "$1")" -lt "$(number_of "$2")" ]
 }
 
-# list_of WORDS EXCEPT: each once, with commas, and with its task.
+# list_of WORDS EXCEPT: each once, with commas, and with what it lacks.
 list_of() {
     echo "$1" | tr ' ' '\n' | awk -F : -v except=" $2 " '
         $0 != "" && !index(except, " " $1 " ") && !seen[$1]++ {
-            printf "%s%s%s", (n++ ? ", " : ""), $1, $2 == "" ? "" : " (task " $2 " is not right yet)"
+            printf "%s%s%s", (n++ ? ", " : ""), $1,
+                $2 == "" ? "" : $2 == "build" ? " (its main.c does not build)" : " (task " $2 " is not right yet)"
         }'
 }
 
