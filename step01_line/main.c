@@ -36,7 +36,7 @@ struct walk {
     bool steep;        /* u is y and v is x */
 };
 
-/* Start at the left end, or at the lower end of a steep line. Coordinates lie within LINE_LIMIT. */
+/* Start at the left end, or at the lower end of a steep line. */
 static struct walk walk_begin(struct pixel a, struct pixel b) {
     int64_t x_distance = (int64_t)b.x - a.x, y_distance = (int64_t)b.y - a.y;
     bool steep = llabs(y_distance) > llabs(x_distance);

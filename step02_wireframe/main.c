@@ -43,8 +43,7 @@ static int compare_sides(const void *a, const void *b) {
 
 /* END SOLUTION */
 
-/* Keep one of each: after sorting, equal sides are next to each other. Returns how many are
- * left. */
+/* Sort the sides, so that equal ones are neighbours, and keep one of each. Returns how many. */
 static size_t keep_one_of_each(struct side *sides, size_t side_count) {
     /* BEGIN SOLUTION 2a.4 each edge once */
     qsort(sides, side_count, sizeof *sides, compare_sides);
@@ -149,7 +148,7 @@ static struct course course_from(struct pixel a, struct pixel b) {
 
 /* The first step after which the line has moved by `move` or more along v; run + 1 when it never
  * moves as far. From (2 * k * rise + run - 1) / (2 * run) >= move, solved for k. With coordinates
- * within LINE_LIMIT all products are below 2^62. */
+ * from -2^29 to 2^29 all products are below 2^62. */
 static int64_t first_step_moved(const struct course *course, int64_t move) {
     if (move <= 0) {
         return 0;

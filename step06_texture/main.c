@@ -194,7 +194,7 @@ static struct vec4 mix_in_row(const struct texture_level *level, size_t row, str
 }
 /* END SOLUTION */
 
-/* Sampler 2: mixed from the four texels whose centres surround the point, on one mip level. The
+/* Bilinear (sampler 2): mixed from the four texels around the point, on one mip level. The
  * channels are 0..255 and not rounded. */
 static struct vec4 sample_bilinear(const struct texture *texture, struct vec2 uv, size_t number) {
     uv = place_in(texture, uv);

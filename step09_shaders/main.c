@@ -21,7 +21,7 @@ struct uniforms {
 
 /* ---- Part a: one draw() for all looks ---- */
 
-/* What makes one look differ from another. `uniforms` is a struct uniforms. */
+/* What makes one look differ from another. Both functions get the `uniforms` of the drawing. */
 struct simple_shader {
     size_t varying_count; /* numbers that a corner hands to the pixels, at most VARYING_LIMIT */
     /* Give the varyings of corner 0..2 of a face. */

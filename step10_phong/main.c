@@ -238,7 +238,7 @@ static lanes_mask full_fragment(const void *uniforms, const lanes *varyings, lan
     END SOLUTION */
 }
 
-/* The same with the weight of the specular part read from the specular map. */
+/* Colour, normal and the weight of the specular part come from their maps. */
 static lanes_mask weight_map_fragment(const void *uniforms, const lanes *varyings,
                                       lanes_texel *color) {
     /* BEGIN SOLUTION 10c.3 the specular map */
@@ -265,7 +265,7 @@ static lanes_mask weight_map_fragment(const void *uniforms, const lanes *varying
     END SOLUTION */
 }
 
-/* The same with the power read from it: 1 for value 0 to 32 for value 255. */
+/* The same with the power read from the specular map: 1 for value 0 to 32 for value 255. */
 static lanes_mask power_map_fragment(const void *uniforms, const lanes *varyings,
                                      lanes_texel *color) {
     /* BEGIN SOLUTION 10c.3 the specular map */

@@ -11,7 +11,7 @@
 #                                         makes pictures wrong
 #
 # A function is known as LESSON_NAME, where NAME is the house's: a pointer, which is the house's again
-# where the environment's COURSE_OURS names it, or is `all`. (So mine.sh finds out whose fault it is.)
+# where the environment's COURSE_OURS is that name, its word, or `all`. (So mine.sh finds out whose fault it is.)
 
 cd "$(dirname "$0")/../../.." || exit 1
 do=$1
@@ -68,7 +68,7 @@ write_source() {
     case $lesson in step01_*) echo '#define HER_LINE line' ;; *) echo '#define HER_LINE line_inside' ;; esac
     awk '$5 != "" && !seen[$5]++ { print "#include \"tests/student/mine/" $5 ".inc\"" }
         { print "__typeof__(" $2 ") *'"$lesson"'_" $2 " = " $1 ";" }
-        { choice = choice "    if (ours != NULL && (strcmp(ours, \"" $4 "\") == 0 || strcmp(ours, \"all\") == 0)) {\n" }
+        { choice = choice "    if (ours != NULL && strstr(\" all " $2 " " $4 " \", ours) != NULL) {\n" }
         { choice = choice "        '"$lesson"'_" $2 " = " $2 ";\n    }\n" }
         END {
             print "__attribute__((constructor)) static void choose(void) {"
@@ -99,20 +99,24 @@ names() {
         END { for (name in of) print "#define " name " " of[name] }' >"$build/hers/$lesson.h"
 }
 
-# missing LESSON TASKS: the first of them that hasn't all its points.
+# missing LESSON TASKS: the first of them that hasn't all its points, or `build`.
 missing() {
+    ! grep -q '"state": "BUILD"' "$build/hers/$1.json" || { echo build && return; }
     right=$(right_tasks "$1" | tr '\n' ' ')
     for task in $(echo "$2" | tr , ' '); do
         case " $right" in *" $task "*) ;; *) echo "$task" && return ;; esac
     done
+    echo build
 }
 
-# Sets mine and ours to words of the table, for what the lesson draws with: ours as WORD:TASK, which is why.
+# find_words [EXCEPT]: sets mine and ours to words of the table, for what the lesson draws with: ours as
+# WORD:TASK or WORD:build, which is why.
 find_words() {
     mine=
     ours=
     while read -r from _ name tasks word _; do
-        if [ ! -f "$build/hers/$from.names" ] || ! is_before "$from" "$lesson" || ! uses "$name"; then
+        if [ ! -f "$build/hers/$from.names" ] || ! is_before "$from" "$lesson" || ! uses "$name" ||
+            [ "${name%_*}" = "${1:-none}" ]; then
             continue
         elif grep -q " $name " "$build/hers/$from.names"; then
             mine="$mine $word"
@@ -122,14 +126,14 @@ find_words() {
     done <"$build/hers/table"
 }
 
-# The same through part d of lesson 9.
+# The same through part d of lesson 9, which draws with the lesson's own fragment functions.
 find_all_words() {
     find_words
     case " $mine " in *' pipeline '*)
         through=$mine
         kept=$lesson
         lesson=$(ls -d step09_*)
-        find_words
+        find_words texture
         lesson=$kept
         mine="$mine $through"
         ;;
@@ -140,11 +144,12 @@ is_before() {
     [ "$(number_of "$1")" -lt "$(number_of "$2")" ]
 }
 
-# list_of WORDS EXCEPT: each once, with commas, and with its task.
+# list_of WORDS EXCEPT: each once, with commas, and with what it lacks.
 list_of() {
     echo "$1" | tr ' ' '\n' | awk -F : -v except=" $2 " '
         $0 != "" && !index(except, " " $1 " ") && !seen[$1]++ {
-            printf "%s%s%s", (n++ ? ", " : ""), $1, $2 == "" ? "" : " (task " $2 " is not right yet)"
+            printf "%s%s%s", (n++ ? ", " : ""), $1,
+                $2 == "" ? "" : $2 == "build" ? " (its main.c does not build)" : " (task " $2 " is not right yet)"
         }'
 }
 
@@ -162,39 +167,77 @@ say() {
     done
 }
 
-# drawn_with OURS: what the scene's picture is, with these words ours.
-drawn_with() {
-    rm -f "$build/hers/$scene.tga"
-    COURSE_OURS=$1 "$build/quick/$lesson" -o "$build/hers" --only "$scene" </dev/null >/dev/null 2>&1
-    cksum "$build/hers/$scene.tga" 2>/dev/null
+# is_right_with OURS: is the scene right with these words ours?
+is_right_with() {
+    COURSE_OURS=" $1 " CHECK_TIMEOUT=3 "$build/check" --programs "$build/quick" --differences "$build/hers/differences" \
+        --make true --only "$scene" "$lesson" </dev/null >/dev/null 2>&1
 }
 
-# Is the scene wrong because of a word, and right where that is ours? Each word is named once.
+# lesson_of WORD: from which lesson it is, the last one before this that has it right.
+lesson_of() {
+    while read -r one _ name _ its_word _; do
+        if [ "$its_word" = "$1" ] && is_before "$one" "$lesson" && grep -q " $name " "$build/hers/$one.names"; then
+            echo "$one"
+        fi
+    done <"$build/hers/table" | tail -n 1
+}
+
+# The function of $from to which the word's fault can be laid, or the word for several.
+function_of() {
+    case $from in
+    step01_*) echo 'line()' && return ;;
+    step02_*) echo 'line_inside()' && return ;;
+    step04_*) echo 'face_intensity()' && return ;;
+    esac
+    awk -v lesson="$from" -v word="$word" '$1 == lesson && $5 == word { print $2, $3 }' $table |
+        while read -r her name; do
+            if is_right_with "$name"; then
+                echo "$her()"
+                break
+            fi
+        done | grep . || echo "$word"
+}
+
+# Is the scene wrong because of a word, and right where that is ours? Each word is named once; a scene that
+# is wrong with all of them ours is the lesson's own fault.
 blame() {
-    right=$(drawn_with all)
-    [ "$right" != "$(drawn_with none)" ] || return
-    for word in $blamed $(echo "$mine" | tr ' ' '\n' | sort -u); do
-        if [ "$(drawn_with "$word")" = "$right" ]; then
-            case " $blamed " in *" $word "*) return ;; esac
+    for word in $blamed; do
+        ! is_right_with "$word" || return
+    done
+    is_right_with all || { found=own && return; }
+    found=${found:-earlier}
+    case $state in
+    FAIL) does="draws \`$scene\` otherwise${where:+ at $where}" ;;
+    CRASH) does="crashes in \`$scene\`" ;;
+    *) does="does not come to an end in \`$scene\`" ;;
+    esac
+    for word in $(echo "$mine" | tr ' ' '\n' | sort -u); do
+        if is_right_with "$word"; then
             blamed="$blamed $word"
-            from=$(awk -v word="$word" '$5 == word { print $1; exit }' "$build/hers/table")
+            from=$(lesson_of "$word")
             number=$(number_of "$from")
-            echo "  your $word of lesson $number draws \`$scene\` otherwise${where:+ at $where}; it passes lesson $number's own check"
+            echo "  your $(function_of) of lesson $number $does; it passes lesson $number's own check"
             return
         fi
     done
-    echo "  what you wrote in earlier lessons draws \`$scene\` otherwise${where:+ at $where}"
+    echo "  what you wrote in earlier lessons $does"
 }
 
 whose() {
+    found=
+    known=
     awk -F '"' '/^ *"step": / { step = $4 }
-        /{"scene": / && $8 ~ /FAIL|CRASH/ {
+        /{"scene": / && $8 ~ /FAIL|CRASH|TIME/ {
             where = match($0, /\([0-9]+,[0-9]+\)/) ? substr($0, RSTART, RLENGTH) : ""
-            if (!seen[step, $4]++) print step, $4, where }' "$1" |
-        while read -r lesson scene where; do
-            find_all_words
-            blame
-        done
+            if (!seen[step, $4]++) print step, $4, $8, where }' "$1" |
+        {
+            while read -r lesson scene state where; do
+                [ "$lesson" = "$known" ] || find_all_words
+                known=$lesson
+                blame
+            done
+            [ "$found" != earlier ] || echo "  With ours there, all of these are right: no task of this lesson is at fault."
+        }
 }
 
 "$do" "$@"

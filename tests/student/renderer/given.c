@@ -9,7 +9,7 @@
 #include <string.h>
 #include <time.h>
 
-/* @common geometry raster tgaimage camera lines parallel_view triangles: vectors, matrices, places
+/* @common geometry raster tgaimage camera lines parallel_view triangles: Vectors, matrices, places
  * on the screen (given) */
 
 static struct vec4 mat4_point(const struct mat4 *a, struct vec3 p) {
@@ -43,7 +43,7 @@ static struct vec2 turn_direction(double turns) {
     return (struct vec2){cos(turns * 6.283185307179586), sin(turns * 6.283185307179586)};
 }
 
-/* @frame: images, textures, models, and their files (given) */
+/* @frame: Images, textures, models, and their files (given) */
 
 static _Noreturn void fail(const char *problem, const char *path) {
     fprintf(stderr, "renderer: %s%s\n", problem, path);
@@ -82,7 +82,7 @@ struct texture_level {
     uint32_t *texels; /* blue | green << 8 | red << 16 | alpha << 24 */
 };
 
-/* Its only level is made as small as the picture needs it. */
+/* One level, halved until it suits the picture. */
 struct texture {
     size_t level_count; /* 0 where there is no file */
     struct texture_level level[1];
@@ -94,7 +94,7 @@ static struct vec4 channels_from_texel(uint32_t texel) {
     return (struct vec4){texel >> 16 & 255, texel >> 8 & 255, texel & 255, texel >> 24};
 }
 
-/* Indices into the model's lists, which begin with a zero: that is what is left out. */
+/* Indices into the model's lists. Index 0 is a zero vector, for whatever a file leaves out. */
 struct corner {
     uint32_t position, uv, normal;
 };
@@ -196,8 +196,8 @@ static void halve(struct texture_level *level) {
     free(from.texels);
 }
 
-/* "head.obj" and "_nm.tga" are the file head_nm.tga, which is to cover so many pixels. Where there
- * is none, the texture is one white texel. */
+/* Read head_nm.tga, given "head.obj" and "_nm.tga", and halve it until it suits so many pixels.
+ * Without that file the texture is one white texel. */
 static void texture_read(struct texture *texture, const char *model, const char *ending,
                          double pixels) {
     char path[4096];
@@ -228,7 +228,7 @@ static void *with_room(void *list, size_t count, size_t size) {
     ((m)->item##s = with_room((m)->item##s, (m)->item##_count, sizeof *(m)->item##s),              \
      (m)->item##s[(m)->item##_count++] = __VA_ARGS__)
 
-/* An index as files have it, from 1 or, if negative, from the last one; and the slash behind it. */
+/* Read an index, which counts from 1 or, if negative, from the end, and the slash behind it. */
 static uint32_t read_index(char **at, size_t count) {
     long long i = strtoll(*at, at, 10);
     *at += **at == '/';
@@ -254,7 +254,7 @@ static void read_face(struct model *model, char *words) {
     }
 }
 
-/* Normals of positions, the sums of those of the faces there, for a file that has none. */
+/* For a file without normals: at each position the sum of the normals of its faces. */
 static void make_normals(struct model *model) {
     while (model->normal_count < model->position_count) {
         ADD(model, normal, (struct vec3){0});
@@ -270,7 +270,7 @@ static void make_normals(struct model *model) {
     }
 }
 
-/* Into -1..1, where the model is far outside of that or tiny. */
+/* Move and scale a model into -1..1, where it reaches beyond or is tiny. */
 static void model_fit(struct model *model) {
     struct vec3 least = model->positions[1], most = least;
     double reach = 0;
@@ -343,7 +343,7 @@ static void model_read(struct model *model, const char *path) {
  * POLYGON_LIMIT CLIP_PLANES clip_at_plane BEYOND_NEAR BEYOND_GUARD_BAND find_beyond: perspective,
  * camera, clipping */
 
-/* @frame: numbers of one pixel (given) */
+/* @frame: Numbers of one pixel (given) */
 
 /* Lesson 10 computes with `lanes`, the numbers of several pixels. Here they are those of one. */
 typedef float real;
@@ -373,7 +373,7 @@ static struct lanes3 texture_lanes(const struct texture *texture, struct lanes2 
     return (struct lanes3){(real)c.x, (real)c.y, (real)c.z};
 }
 
-/* Lesson 10 also fetches the texels of several textures before it mixes any. */
+/* Lesson 10 fetches several textures before it mixes any. Here each is mixed at once. */
 struct texels {
     struct lanes3 mixed;
 };
@@ -396,7 +396,7 @@ struct shader {
 
 /* @lesson step10_phong struct.uniforms textured weight_mapped turning_light: Phong */
 
-/* @frame: clipping, looks, the program (given) */
+/* @frame: Clipping, looks, the program (given) */
 
 /* Add a corner between those of a face. */
 static struct corner add_corner(struct model *model, size_t face, struct vec3 weight) {
@@ -416,7 +416,7 @@ static struct corner add_corner(struct model *model, size_t face, struct vec3 we
                            (uint32_t)model->normal_count - 1};
 }
 
-/* What is left of the faces that must be cut becomes faces of the model. */
+/* Clip the faces that need it, and add their parts to the model, as faces. */
 static void add_clipped(struct model *model, const struct draw_call *call) {
     for (size_t face = 0, count = model->face_count; face < count; face++) {
         struct polygon polygon = {.count = 3};
@@ -447,7 +447,7 @@ enum look { LOOK_PHONG, LOOK_TOON, LOOK_GOURAUD, LOOK_FLAT, LOOK_DEPTH, LOOK_LIN
 
 static const char *const looks[LOOKS] = {"phong", "toon", "gouraud", "flat", "depth", "wireframe"};
 
-/* What the shader below is given, and those of lesson 10. */
+/* The uniforms of the shader below, with those of lesson 10 in them. */
 struct frame {
     enum look look;
     const struct shader *phong;
@@ -491,7 +491,7 @@ static struct pixel to_pixel(struct vec4 clip, double half) {
                           (int)floor((clip.y / clip.w + 1) * half)};
 }
 
-/* The sides of the faces: whole lines as in lesson 1, those that leave the picture as in 2. */
+/* Draw the edges: a whole line as in lesson 1, one that leaves the picture as in lesson 2. */
 static void draw_lines(struct image *image, const struct draw_call *call) {
     const struct model *model = call->model;
     const struct color white = color_rgb(255, 255, 255);
@@ -512,7 +512,7 @@ static void draw_lines(struct image *image, const struct draw_call *call) {
     free(sides);
 }
 
-/* The faces; those that must be cut have their parts in the model. */
+/* Draw the faces. Those that had to be clipped have their parts in the model. */
 static void draw_faces(struct image *image, const struct draw_call *call,
                        const struct frame *frame) {
     const size_t pixels = image->width * image->height;
