@@ -33,6 +33,7 @@
 
 enum {
     FILE_SIZE_LIMIT = 1 << 30, /* bytes of the largest file that is read: 1 GiB */
+    OPENED_PATH_LIMIT = 4096,  /* no system opens what has a longer path */
     TEMPORARY_NAME_TRIES = 1000
 };
 
@@ -302,14 +303,12 @@ static size_t count_fitting(const char *path, size_t at, char *tried, char *foun
 bool file_find(char *path) {
     bool is_found = file_exists(path);
 #ifdef LISTS_DIRECTORIES
-    char *tried = is_found ? NULL : string_format("%s", path);
-    char *found = is_found ? NULL : string_format("%s", path);
-    if (tried != NULL && found != NULL && count_fitting(path, 0, tried, found) == 1) {
+    char tried[OPENED_PATH_LIMIT], found[OPENED_PATH_LIMIT];
+    if (!is_found && strlen(path) < OPENED_PATH_LIMIT &&
+        count_fitting(path, 0, tried, found) == 1) {
         memcpy(path, found, strlen(found));
         is_found = true;
     }
-    free(tried);
-    free(found);
 #endif
     return is_found;
 }
