@@ -5,6 +5,7 @@
 # not build, with a message that no format likes and that is a page's own script.
 #
 #     tests/upkeep/browser/reports.sh [DIRECTORY]   for reports and screenshots: build/reports
+#     ONLY=live tests/upkeep/browser/reports.sh     not the site; ONLY=site: not `make live`
 #     FRAMES=1 tests/upkeep/browser/reports.sh      how long a frame takes, under the mouse
 #
 # Exit status 0: yes; 1: no; 2: skipped, because a tool is missing.
@@ -88,7 +89,7 @@ judge_pages() {
     class_page && make -s build/compare_page &&
         (cd tests/reference/step01_line &&
             ../../../build/compare_page "$PAGES/open.html" title pixel pixel.png line.png) &&
-        node --test --test-reporter=spec tests/upkeep/browser/browser.js && judge_live
+        node --test --test-reporter=spec tests/upkeep/browser/browser.js
 }
 
 # What the server draws with.
@@ -140,6 +141,10 @@ none=$(missing "${BROWSER:-chromium}" node)$(npm_missing)
 if [ -n "$none" ]; then
     skipped "the pages, without$none" 'chromium nodejs npm'
 else
-    judge_pages && judge_site || exit 1
+    judge_pages && case ${ONLY:-} in
+    live) judge_live ;;
+    site) judge_site ;;
+    *) judge_live && judge_site ;;
+    esac || exit 1
 fi
 exit $status
