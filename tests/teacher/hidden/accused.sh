@@ -6,7 +6,7 @@
 #
 # At the end it prints how many programs were tried, how many have a wrong hidden scene, and how many
 # are to be looked at. As many at a time as there are processors; VERIFY_SHARE=0/8 to 7/8 in the environment
-# for one of eight programs. Exit status 0: none; 1: some.
+# for one of eight programs. Exit status 0: none; 1: some, or they could not be drawn.
 cd "$(dirname "$0")/../../.." || exit 1
 if [ "$1" = --one ]; then
     shift
@@ -16,6 +16,7 @@ if [ "$1" = --one ]; then
     sh tests/upkeep/verify/build.sh "$commands" -s "$place/$lesson" 2>"$place/errors" || exit 0
     for seed in $seeds; do
         "$build/hidden" "$place" "$work/solutions" "$seed" '' "$lesson" >"$place/said" 2>&1
+        [ $? -le 1 ] || cat "$place/said" >>"$work/failed"
         echo "$lesson $name $seed $(tail -n 1 "$place/said")$(grep -o 'look at it.*' "$place/said")"
     done
     rm -rf "$place"
@@ -35,6 +36,7 @@ trap 'rm -rf "$work"' EXIT
 trap 'exit 1' HUP INT TERM
 # shellcheck disable=SC2086 # one word a lesson
 sh tests/teacher/hidden/solutions.sh "$work/solutions" "$make" '' $lessons || exit 1
+$make "$build/hidden" models || exit 1
 for lesson in $lessons; do
     ls "$lesson/mistakes.txt" "tests/lessons/$lesson/alternatives.txt" 2>/dev/null
 done | xargs awk -v directory="$work" -f tests/upkeep/verify/replace.awk -f tests/upkeep/verify/parse.awk >"$work/table" ||
@@ -46,4 +48,5 @@ awk -v share="${VERIFY_SHARE:-0/1}" 'BEGIN { split(share, of, "/") } NR % of[2] 
 awk '{ tried[$1 $2]; split($5, of, "/"); if (of[1] < of[2]) wrong[$1 $2] } /look at it/ { looked[$1 $2] }
     function count(list, one, sum) { for (one in list) sum++; return sum + 0 }
     END { print count(tried) " programs, " count(wrong) " with a wrong hidden scene, " count(looked) " to be looked at"
-        exit count(looked) > 0 }' "$work/said"
+        exit count(looked) > 0 }' "$work/said" || exit 1
+[ ! -s "$work/failed" ] || { sort "$work/failed" | uniq -c >&2; exit 1; }
