@@ -230,7 +230,8 @@ END {
           "<link rel=stylesheet href=\"" root "live/text.css\">\n" \
           "<link rel=stylesheet href=\"" root "live/site.css\">"
     if (living) {
-        print "<script defer src=\"" root "live/wasm.js\" data-lesson=" lesson "></script>\n<script defer src=\"" root "live/figure.js\"></script>"
+        textures = page == "index.html" ? " data-textures=bust_diffuse,bust_nm,bust_spec" : ""
+        print "<script defer src=\"" root "live/wasm.js\" data-lesson=" lesson textures "></script>\n<script defer src=\"" root "live/figure.js\"></script>"
     }
     print "<script defer src=\"" root "live/site.js\"></script>\n</head>\n<body>\n<header>"
     print "<a href=\"#contents\">Contents</a>"

@@ -93,7 +93,7 @@ function runInWorker() {
 
     async function begin({program, models, lesson}) {
         if (module === undefined) {
-            files.push(...await Promise.all(models.map(model => unpacked(model).text())));
+            (await Promise.all(models.map(model => unpacked(model).text()))).forEach((model, i) => { files[i] = model; });
             module = await WebAssembly.compile(await unpacked(program).arrayBuffer());
         }
         exports = (await WebAssembly.instantiate(module, imports)).exports;
@@ -122,16 +122,14 @@ function runInWorker() {
     }
 
     // A program that misses textures waits for them: another one begins, with them.
-    let first, arrived;
+    let first, arrived = () => {};
     async function reply(request) {
         const bytes = untilItWaits(() => answer(request));
         if (missing.size === 0) {
             return bytes;
         }
         postMessage({missing: [...missing]});
-        for (const [number, texture] of await new Promise(done => { arrived = done; })) {
-            files[number] = fromText(texture);
-        }
+        await new Promise(done => { arrived = done; });
         missing.clear();
         await begin(first);
         return answer(request);
@@ -140,7 +138,10 @@ function runInWorker() {
     let last = Promise.resolve(); // one after another
     onmessage = ({data}) => {
         if (data.textures !== undefined) {
-            arrived(data.textures);
+            for (const [number, texture] of data.textures) {
+                files[number] ??= fromText(texture);
+            }
+            arrived();
             return;
         }
         last = last.then(async () => {
@@ -155,7 +156,7 @@ function runInWorker() {
 }
 
 const program = (() => {
-    const here = document.currentScript.src, lesson = document.currentScript.dataset.lesson;
+    const here = document.currentScript.src, {lesson, textures} = document.currentScript.dataset;
     const waiting = []; // for the worker's answers
     let worker, started;
 
@@ -176,6 +177,13 @@ const program = (() => {
         });
     }
 
+    // Let the worker have textures. Each is loaded once: its script defines lessonPrograms[name].
+    const loads = {};
+    async function send(names) {
+        await Promise.all(names.map(name => loads[name] ??= load(new URL(`${name}.js`, here))));
+        worker.postMessage({textures: names.map(name => [lessonPrograms.files.indexOf(name), lessonPrograms[name]])});
+    }
+
     // Its description of its scenes.
     async function start(step) {
         await load(new URL("program.js", here)); // which defines lessonPrograms
@@ -186,18 +194,16 @@ const program = (() => {
                 return;
             }
             try {
-                worker.postMessage({textures: await Promise.all(data.missing.map(async number => {
-                    const name = lessonPrograms.files[number];
-                    await load(new URL(`${name}.js`, here)); // which defines lessonPrograms[name]
-                    return [number, lessonPrograms[name]];
-                }))});
+                await send(data.missing.map(number => lessonPrograms.files[number]));
             } catch (error) {
                 waiting.splice(0).forEach(({fail}) => fail(error));
             }
         };
         worker.onerror = ({message}) => waiting.shift()?.fail(new Error(message));
         const lesson = lessonPrograms.lessons.indexOf(step);
-        const {program, models} = lessonPrograms, bytes = await ask({program, models, lesson, request: ""});
+        const {program, models} = lessonPrograms, answer = ask({program, models, lesson, request: ""});
+        await send(textures?.split(",") ?? []); // which the page's first picture reads
+        const bytes = await answer;
         return JSON.parse(new TextDecoder().decode(bytes));
     }
 
