@@ -124,7 +124,8 @@ static void draw_textures(struct model *bust) {
     figure_save(&sheet.image, "textures");
 }
 
-/* Half the texture's colour, half blue: the same, however often an edge is drawn. */
+/* Half the texture's colour, half blue: the same, however often an edge is drawn. On the right: the
+ * head is symmetric, and on the left one sees what is below. */
 static void draw_uv_edge(struct image *image, const struct image *below, struct vec2 a,
                          struct vec2 b) {
     double side = (double)image->width;
@@ -133,9 +134,11 @@ static void draw_uv_edge(struct image *image, const struct image *below, struct 
     struct line_walk walk;
     bool more = line_begin(&walk, from, to, image->width, image->height);
     for (; more; more = line_next(&walk)) {
-        struct color c = image_get(below, walk.x, walk.y);
-        image_set(image, walk.x, walk.y,
-                  color_rgb((uint8_t)(c.r / 2), (uint8_t)(c.g / 2), (uint8_t)(c.b / 2 + 127)));
+        if (2 * walk.x >= (int)image->width) {
+            struct color c = image_get(below, walk.x, walk.y);
+            image_set(image, walk.x, walk.y,
+                      color_rgb((uint8_t)(c.r / 2), (uint8_t)(c.g / 2), (uint8_t)(c.b / 2 + 127)));
+        }
     }
 }
 
