@@ -29,14 +29,6 @@ enum {
 
 /* ---- Starting and ending ---- */
 
-static void limit(int resource, rlim_t most) {
-    struct rlimit limits;
-    if (getrlimit(resource, &limits) == 0) {
-        limits.rlim_cur = most < limits.rlim_max ? most : limits.rlim_max;
-        setrlimit(resource, &limits);
-    }
-}
-
 static void execute(const char *program, const char *model, int input, int output, int errors) {
     setsid();
     if (dup2(input, STDIN_FILENO) < 0 || dup2(output, STDOUT_FILENO) < 0 ||
@@ -46,9 +38,10 @@ static void execute(const char *program, const char *model, int input, int outpu
     for (int file = STDERR_FILENO + 1; file < 256; file++) {
         close(file);
     }
-    const struct run_limits limits = run_program_limits(0);
-    limit(RLIMIT_CORE, 0);
-    limit(RLIMIT_FSIZE, limits.file_bytes);
+    const rlim_t bytes = run_program_limits(0).file_bytes;
+    const struct rlimit core = {0, 0}, file = {bytes, bytes};
+    setrlimit(RLIMIT_CORE, &core);
+    setrlimit(RLIMIT_FSIZE, &file); /* fails only where less is allowed */
     execl(program, program, "--live", model[0] != '\0' ? model : (const char *)NULL,
           (const char *)NULL);
     _exit(127);

@@ -183,7 +183,7 @@ bool http_next(struct http_server *server, int milliseconds, struct http_request
         waited[i] = (struct pollfd){.fd = server->caller[i].connection, .events = POLLIN};
     }
     waited[count] = (struct pollfd){.fd = server->socket, .events = POLLIN};
-    if (poll(waited, count + 1, milliseconds) <= 0) {
+    if (poll(waited, (nfds_t)(count + 1), milliseconds) <= 0) {
         return false;
     }
     for (size_t i = count; i-- > 0;) { /* who is forgotten moves only those behind */
