@@ -302,6 +302,8 @@ for (const file of pages.filter(file => /^step/.test(file) && (file.endsWith('in
                     await handle.press('ArrowRight');
                     changes = {...changes, at: await handle.getAttribute('aria-valuetext')};
                     assert.equal(changes.at, given.at.replace(/^\d+/, x => Number(x) + 1), what);
+                    await handle.hover();
+                    assert.equal(await handle.evaluate(one => getComputedStyle(one).backgroundColor), 'rgba(0, 0, 0, 0)', `${what}: the pixel is hidden`);
                 } else if (name === 'wrong') {
                     await figure.locator('.toggle').last().press('Space');
                     const right = printed(lesson, requestOf(lesson, title, {...changes, attempt: 0}).request);
