@@ -111,7 +111,7 @@ test('all links lead somewhere, and none to a source', () => {
     assert.ok(!files.some(file => /BEGIN SOLUTION|#include "scenes.h"/.test(text(file))));
 });
 
-test('the whole is below 4.8 MB without textures, and a page with its program, as it is sent, below 700 kB', t => {
+test('the whole is below 4.8 MB without textures, and a page with its program below 700 kB', t => {
     const textures = files.filter(file => /live\/bust_/.test(file)), sum = files => files.reduce((sum, file) => sum + size(file), 0);
     const whole = sum(files) - sum(textures);
     t.diagnostic(`${whole} bytes, and ${sum(textures)} of textures, which a scene loads that reads them`);
@@ -123,9 +123,9 @@ test('the whole is below 4.8 MB without textures, and a page with its program, a
         }
         if (needed.has('live/wasm.js')) needed.add('live/program.js');
         const sent = file => file.endsWith('.webp') ? size(file) : zlib.gzipSync(text(file)).length; /* as hosts of pages do */
-        const weight = [...needed].reduce((sum, file) => sum + sent(file), 0);
-        t.diagnostic(`${page}: ${weight} bytes`);
-        assert.ok(weight < 700e3, `${page}: ${weight}`);
+        const weight = sum([...needed]), packed = [...needed].reduce((sum, file) => sum + sent(file), 0);
+        t.diagnostic(`${page}: ${weight} bytes, ${packed} as it is sent`);
+        assert.ok(packed < 700e3 && weight < (page === 'step06_texture/index.html' ? 800e3 : 700e3), `${page}: ${weight}, ${packed}`); /* of lesson 6 pictures are the subject */
     }
 });
 
