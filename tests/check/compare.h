@@ -76,6 +76,9 @@ struct comparison {
  * the reference is not, every drawn pixel is wrong. */
 struct comparison compare_images(const struct image *reference, const struct image *yours);
 
+/* Are they of one size, and is every pixel equal? Stops at the first that is not. */
+bool is_same_picture(const struct image *a, const struct image *b);
+
 /* By how many levels are the drawn pixels that agree lighter in yours, on average? That of the
  * channel which differs most. Less than 0: darker. */
 double compare_lighter(const struct comparison *comparison);

@@ -36,6 +36,7 @@ static void test_counts(void) {
     struct image grey = make(4, 1, IMAGE_GREY), color = make(4, 1, IMAGE_BGR);
     image_set(&color, 2, 0, color_grey(9)); /* its first four bytes are those of the other one */
     CHECK(compare_images(&grey, &color).differing.count == 1);
+    CHECK(!is_same_picture(&grey, &color) && !is_same_picture(&color, &a));
     image_free(&grey);
     image_free(&color);
     image_free(&a);
@@ -126,8 +127,8 @@ static void test_formats_with_equal_look(void) {
         c.a = (uint8_t)i;
         image_set(&clear, i % 3, i / 3, c);
     }
-    CHECK(compare_images(&grey, &color).differing.count == 0);
-    CHECK(compare_images(&color, &clear).differing.count == 0);
+    CHECK(compare_images(&grey, &color).differing.count == 0 && is_same_picture(&grey, &color));
+    CHECK(compare_images(&color, &clear).differing.count == 0 && is_same_picture(&color, &clear));
     CHECK(compare_images(&clear, &grey).drawn == 5);
     image_free(&grey);
     image_free(&color);

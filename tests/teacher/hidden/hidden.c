@@ -91,9 +91,11 @@ struct hidden {
     uint64_t seed;
     struct scene_table table;
     size_t right, tried;
-    size_t known;       /* of the present step: pictures that are references */
-    size_t missing;     /* and none at all, of programs that end well */
-    struct bytes wrong; /* of the present step: a line each */
+    /* Of the present step: */
+    struct image *references; /* by its scenes, empty where there is none */
+    size_t known;             /* pictures that are references */
+    size_t missing;           /* and none at all, of programs that end well */
+    struct bytes wrong;       /* a line each */
 };
 
 /* ---- The program's options ---- */
@@ -238,19 +240,18 @@ static bool draw_solution(const struct hidden *hidden, struct unseen_place *plac
 
 /* ---- Judging ---- */
 
-/* Does the solution's picture differ from that which everybody has? */
-static bool is_secret(const struct image *solution, const char *step, const char *scene) {
-    char path[DRAWN_PATH_LIMIT];
-    struct image known;
-    struct error ignored;
-    snprintf(path, sizeof path, "tests/reference/%s/%s.png", step, scene);
-    if (!image_read(&known, path, &ignored)) {
-        return true;
+static void read_references(struct hidden *hidden, const struct checked_step *step) {
+    for (size_t i = 0; i < step->scene_count; i++) {
+        char path[DRAWN_PATH_LIMIT];
+        struct error ignored;
+        snprintf(path, sizeof path, "tests/reference/%s/%s.png", step->name, step->items[i].scene);
+        image_read(&hidden->references[i], path, &ignored);
     }
-    bool secret = known.width != solution->width || known.height != solution->height ||
-                  compare_images(&known, solution).differing.count > 0;
-    image_free(&known);
-    return secret;
+}
+
+/* Does the picture differ from the reference that everybody has, or is there none (NULL)? */
+static bool is_secret(const struct image *picture, const struct image *reference) {
+    return reference == NULL || !is_same_picture(reference, picture);
 }
 
 /* The limits were chosen between correct programs and mistakes on the scenes of the course. Faces
@@ -260,38 +261,37 @@ enum { MORE_WRONG = 1000, MORE_APART = 2000, MORE_COVERAGE = 200 };
 
 static bool is_right(const struct image *solution, const struct image *yours,
                      const struct checked_item *limits) {
-    if (yours->width != solution->width || yours->height != solution->height) {
-        return false;
+    if (yours->width != solution->width || yours->height != solution->height || limits->exact) {
+        return is_same_picture(solution, yours);
     }
     struct comparison found = compare_images(solution, yours);
-    if (limits->exact) {
-        return found.differing.count == 0;
-    }
     return share_within(found.wrong.count, found.drawn, limits->wrong_limit + MORE_WRONG) &&
            share_within(found.apart.count, found.drawn, limits->apart_limit + MORE_APART) &&
            share_within(found.coverage.count, found.drawn, limits->coverage_limit + MORE_COVERAGE);
 }
 
 /* Is it one of the lesson's references? */
-static bool is_reference(const struct image *yours, const struct checked_step *step) {
+static bool is_reference(const struct hidden *hidden, const struct checked_step *step,
+                         const struct image *yours) {
     bool is_known = false;
     for (size_t i = 0; i < step->scene_count && !is_known; i++) {
-        is_known = !is_secret(yours, step->name, step->items[i].scene);
+        is_known = !is_secret(yours, &hidden->references[i]);
     }
     return is_known && compare_images(yours, yours).drawn >= KNOWN_LEAST;
 }
 
 /* Compare the pictures PICTURE.tga of both; counts it, and says when it is wrong. What everybody
- * has is not counted. */
+ * has, which is `reference`, is not counted. */
 static void judge(struct hidden *hidden, const struct pair *pair, const struct ending *ending,
                   const struct checked_step *step, const char *picture,
-                  const struct checked_item *scene, const char *says) {
+                  const struct image *reference, const struct checked_item *scene,
+                  const char *says) {
     struct image solution, yours;
     struct error ignored;
     if (drawn_read(&solution, pair->solution, picture, NULL, &ignored) != DRAWN_READ) {
         return; /* the scene does not take this input */
     }
-    if (!is_secret(&solution, step->name, picture)) {
+    if (!is_secret(&solution, reference)) {
         image_free(&solution);
         return;
     }
@@ -301,7 +301,7 @@ static void judge(struct hidden *hidden, const struct pair *pair, const struct e
     hidden->right += right;
     hidden->missing += ending->well && state == DRAWN_MISSING;
     if (!right) {
-        hidden->known += is_reference(&yours, step);
+        hidden->known += is_reference(hidden, step, &yours);
         char line[320];
         int length = snprintf(line, sizeof line, "  hidden: %s: wrong\n", says);
         bytes_append(&hidden->wrong, line, (size_t)length); /* without memory it is only not told */
@@ -358,7 +358,7 @@ static bool find_uses(const struct hidden *hidden, const struct checked_step *st
         struct error ignored;
         drawn_read(&image, solution, step->items[i].scene, NULL, &ignored);
         if (image.width > 0 && !is_left_out(step->name, step->items[i].scene)) {
-            uses[i] = is_secret(&image, step->name, step->items[i].scene) ? USE_MODEL : USE_FIXED;
+            uses[i] = is_secret(&image, &hidden->references[i]) ? USE_MODEL : USE_FIXED;
         }
         image_free(&image);
     }
@@ -383,14 +383,15 @@ static bool try_case(struct hidden *hidden, const struct checked_step *step, siz
                 draw(&pair.yours, hidden->runner, hidden->programs, step->name, &told,
                      hidden_case->kind, seed, &yours, error);
     if (done && unseen_takes_text(step->name)) {
-        judge(hidden, &pair, &yours, step, "scene",
+        judge(hidden, &pair, &yours, step, "scene", NULL,
               limits_for(hidden, step->name, hidden_case->kind), hidden_case->says);
     }
     for (size_t i = 0; i < step->scene_count && done && !unseen_takes_text(step->name); i++) {
         if (uses[i] == (hidden_case->fixed ? USE_FIXED : USE_MODEL)) {
             snprintf(says, sizeof says, "%s %s %s", step->items[i].scene,
                      hidden_case->fixed ? "in" : "of", hidden_case->says);
-            judge(hidden, &pair, &yours, step, step->items[i].scene, &step->items[i], says);
+            judge(hidden, &pair, &yours, step, step->items[i].scene, &hidden->references[i],
+                  &step->items[i], says);
         }
     }
     unseen_end(&pair.yours);
@@ -415,11 +416,15 @@ static bool try_step(struct hidden *hidden, const struct checked_step *step, str
     enum use *uses = calloc(step->scene_count, sizeof *uses);
     size_t right = hidden->right, tried = hidden->tried;
     hidden->known = hidden->missing = 0;
-    if (uses == NULL) {
-        return error_out_of_memory(error);
+    hidden->references = calloc(step->scene_count, sizeof *hidden->references);
+    bool done = uses != NULL && hidden->references != NULL;
+    if (done) {
+        read_references(hidden, step);
+    } else {
+        error_out_of_memory(error);
     }
-    bool done =
-        build_yours(hidden, step->name, error) && (text || find_uses(hidden, step, uses, error));
+    done = done && build_yours(hidden, step->name, error) &&
+           (text || find_uses(hidden, step, uses, error));
     for (size_t i = 0; i < CASE_COUNT && done; i++) {
         bool text_case = strcmp(input_name(cases[i].kind), "scene.txt") == 0;
         if (number >= cases[i].first && number <= cases[i].last && text == text_case) {
@@ -437,6 +442,10 @@ static bool try_step(struct hidden *hidden, const struct checked_step *step, str
         print_look_at(hidden, step->name, hidden->tried - tried);
         fflush(stdout);
     }
+    for (size_t i = 0; i < step->scene_count && hidden->references != NULL; i++) {
+        image_free(&hidden->references[i]);
+    }
+    free(hidden->references);
     free(uses);
     bytes_free(&hidden->wrong);
     return done;
