@@ -562,9 +562,12 @@ static bool answer_all(struct run *run, struct error *error) {
     const struct program *program = run->options.program;
     run->needs = program_needs(program);
     FILE *out = live_output();
-    bool done = out != NULL ? live_loop(program, stdin, out, answer, run, error)
-                            : error_set(error, "cannot write to standard output");
-    if (out != NULL && out != stdout) {
+    if (out == NULL) {
+        return error_set(error, "cannot write to standard output");
+    }
+    live_describe(program, out);
+    bool done = live_loop(program, stdin, out, answer, run, error);
+    if (out != stdout) {
         fclose(out);
     }
     return done;

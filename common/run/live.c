@@ -153,7 +153,6 @@ bool live_loop(const struct program *program, FILE *in, FILE *out, live_answer *
                void *context, struct error *error) {
     struct live_request request = {.argv = {(char *)(uintptr_t)program->name}};
     bool enough = true;
-    live_describe(program, out);
     while (read_request(in, &request, &enough) && !ferror(out)) {
         if (!answer(context, &request, out, error)) {
             fprintf(out, "error %s\n", error->message);

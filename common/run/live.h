@@ -10,8 +10,8 @@
  *      TEXT                                      and behind a blank, what --probe gets
  *     then WIDTH * HEIGHT pixels of four bytes: red, green, blue, 255, row by row from the top
  *
- * or a line `error MESSAGE`. Before the first request one line of JSON says which scenes there are,
- * and what can be changed in each (live_describe()).
+ * or a line `error MESSAGE`. Before all of them one line of JSON says which scenes there are, and
+ * what can be changed in each (live_describe()).
  */
 #ifndef COMMON_RUN_LIVE_H
 #define COMMON_RUN_LIVE_H

@@ -10,11 +10,94 @@
 #include "run/live.h"
 #include "run/stage.h"
 
+#include <assert.h>
+#include <stdlib.h>
 #include <string.h>
+
+/* ---- Models ---- */
+
+enum { COLUMN_LIMIT = 16 }; /* a face of our models has nine numbers */
+
+/* The number, with what stands behind it. */
+static long read_number(const char **next) {
+    bool minus = **next == '-';
+    long number = 0;
+    for (*next += minus; **next >= '0' && **next <= '9'; ++*next) {
+        number = 10 * number + (**next - '0');
+    }
+    ++*next;
+    return minus ? -number : number;
+}
+
+static char *write_number(char *to, long number) {
+    char digits[24];
+    int count = 0;
+    for (unsigned long rest = (unsigned long)labs(number); rest > 0 || count == 0; rest /= 10) {
+        digits[count++] = (char)('0' + rest % 10);
+    }
+    if (number < 0) {
+        *to++ = '-';
+    }
+    while (count > 0) {
+        *to++ = digits[--count];
+    }
+    return to;
+}
+
+struct column {
+    const char *next;
+    long number;
+};
+
+/* A line that looks so, with the next number of each column. */
+static char *write_row(char *to, const char *look, struct column *column) {
+    for (; *look != '\n'; look++) {
+        if (*look != '.' && *look != '0') {
+            *to++ = *look;
+            continue;
+        }
+        column->number += read_number(&column->next);
+        to = write_number(to, column++->number);
+        if (*look == '.') { /* a fraction */
+            memcpy(to, "e-6", 3);
+            to += 3;
+        }
+    }
+    *to++ = '\n';
+    return to;
+}
+
+/* Append a model's text, of its columns of differences (model.awk): of lines that look alike, what
+ * they look like, how many they are, and a line for each number in them. False when memory runs
+ * out. */
+static bool unfold(const char *columns, struct bytes *text) {
+    while (*columns != '\0') {
+        struct column column[COLUMN_LIMIT];
+        const char *look = columns, *next = strchr(look, '\n') + 1;
+        size_t longest = 32 * (size_t)(next - look), count = 0;
+        long rows = read_number(&next);
+        for (const char *c = look; *c != '\n'; c++) {
+            if (*c == '.' || *c == '0') {
+                assert(count < COLUMN_LIMIT);
+                column[count++] = (struct column){next, 0};
+                next = strchr(next, '\n') + 1;
+            }
+        }
+        for (long row = 0; row < rows; row++) {
+            if (!bytes_reserve(text, longest)) {
+                return false;
+            }
+            char *to = (char *)text->data + text->size;
+            text->size += (size_t)(write_row(to, look, column) - to);
+        }
+        columns = next;
+    }
+    return true;
+}
 
 /* ---- Files ---- */
 
-enum { FILE_COUNT = 5 };
+enum { MODEL_COUNT = 2, FILE_COUNT = 5 }; /* the first are models */
 
 static const char *const names[FILE_COUNT] = {"bust.obj", "knot.off", "bust_diffuse.png",
                                               "bust_nm.png", "bust_spec.png"}; /* as in site.sh */
@@ -66,7 +149,14 @@ bool __wrap_file_read(const char *path, struct bytes *bytes, struct error *error
     }
     copy_file(i, bytes->data);
     bytes->size = size;
-    return true;
+    if (i >= MODEL_COUNT) {
+        return true;
+    }
+    struct bytes text = {0};
+    bool enough = bytes_append(bytes, "", 1) && unfold((const char *)bytes->data, &text);
+    bytes_free(bytes);
+    *bytes = text;
+    return enough || error_out_of_memory(error);
 }
 
 /* ---- Answers ---- */
@@ -104,7 +194,8 @@ void answer(void);
 #define MAIN(name)    name##_main,
 LESSONS(DECLARE)
 
-/* Run a lesson's program up to its first request: the how manieth of LESSONS. */
+/* Run a lesson's program up to its first request: the how manieth of LESSONS. Standard output gets
+ * the description of its scenes, a line. */
 void start(int lesson) {
     static int (*const mains[])(int, char **) = {LESSONS(MAIN)};
     static char program[] = "lesson", live[] = "--live";
@@ -112,7 +203,7 @@ void start(int lesson) {
     mains[lesson](2, arguments);
 }
 
-/* Answer what standard input has: first with the description of all scenes, a line. */
+/* Answer what standard input has. */
 void answer(void) {
     struct error error;
     clearerr(stdin);

@@ -1,6 +1,6 @@
 # A model's text as gzip likes it. Lines that look alike follow each other, as those of all positions:
 # they become what they look like, with . for 0.5 and 0 for a whole number, how many they are, and
-# their columns, each number less the one above it, where 0.5 is 500000. wasm.js makes the text of it again.
+# their columns, each number less the one above it, where 0.5 is 500000. answer.c makes the text of it again.
 
 /^#/ { next }
 

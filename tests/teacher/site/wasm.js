@@ -5,8 +5,8 @@
 // Runs in the worker, without the rest of this file.
 function runInWorker() {
     const unsupported = 8; // what all else of WASI says: no such file
-    const files = [], missing = new Set(); // those that are here, as bytes or as what gives them; those that the page should load
-    let module, exports, input, output;
+    const files = [], missing = new Set(); // those that are here; those that the page should load
+    let module, exports, input, output, arrived = () => {};
     const numbers = () => new DataView(exports.memory.buffer);
     const pieces = (vectors, count) => Array.from({length: count}, (_, i) =>
         new Uint8Array(exports.memory.buffer, numbers().getUint32(vectors + 8 * i, true),
@@ -50,86 +50,60 @@ function runInWorker() {
                     missing.add(number);
                     return 0;
                 }
-                if (typeof files[number] === "string") {
-                    files[number] = new TextEncoder().encode(modelOf(files[number]));
-                }
                 return files[number].length;
             },
             copy_file(number, to) { new Uint8Array(exports.memory.buffer).set(files[number], to); },
         },
     };
-    function fromText(base64) {
-        if (Uint8Array.fromBase64 !== undefined) { // not in every browser yet, and much quicker
-            return Uint8Array.fromBase64(base64);
+    const unpacked = bytes => new Response(new Response(bytes).body.pipeThrough(new DecompressionStream("gzip"))).arrayBuffer();
+
+    async function here(textures) {
+        while (textures.some(number => files[number] === undefined)) {
+            await new Promise(done => { arrived = done; });
         }
-        const letters = atob(base64), bytes = new Uint8Array(letters.length);
-        for (let i = 0; i < letters.length; i++) {
-            bytes[i] = letters.charCodeAt(i);
-        }
-        return bytes;
     }
 
-    const unpacked = text => new Response(new Blob([fromText(text)]).stream().pipeThrough(new DecompressionStream("gzip")));
-
-    // A model's text, of its columns of differences (model.awk).
-    function modelOf(columns) {
-        const lines = columns.split("\n");
-        let text = "";
-        for (let at = 0; at < lines.length - 1;) {
-            const look = lines[at++], rows = Number(lines[at++]), words = look.split(/[.0]/);
-            const numbers = (look.match(/[.0]/g) ?? []).map(mark => {
-                const end = mark === "." ? "e-6" : ""; // quicker to write than a fraction
-                let sum = 0;
-                return lines[at++].trim().split(" ").map(step => (sum += Number(step)) + end);
-            });
-            for (let row = 0; row < rows; row++) {
-                text += words[0];
-                numbers.forEach((column, i) => { text += column[row] + words[i + 1]; });
-                text += "\n";
-            }
-        }
-        return text;
-    }
-
-    async function begin({program, models, lesson}) {
+    // What it writes first: the description of its scenes.
+    async function begin({program, models, lesson, textures}) {
         if (module === undefined) {
-            (await Promise.all(models.map(model => unpacked(model).text()))).forEach((model, i) => { files[i] = model; });
-            module = await WebAssembly.compile(await unpacked(program).arrayBuffer());
+            (await Promise.all(models.map(unpacked))).forEach((model, i) => { files[i] = new Uint8Array(model); });
+            module = await WebAssembly.compile(await unpacked(program));
+            await here(textures);
         }
         exports = (await WebAssembly.instantiate(module, imports)).exports;
         exports._initialize();
-        untilItWaits(() => exports.start(lesson));
+        return outputOf(() => exports.start(lesson));
     }
 
-    function untilItWaits(call) {
+    // What the program writes until it waits.
+    function outputOf(call) {
+        output = [];
         try {
-            return call();
+            call();
         } catch (error) {
             if (error !== "waiting") {
                 throw error;
             }
         }
-    }
-
-    // The bytes that answer a request. The description comes before each: it is left out of frames.
-    function answer(request) {
-        input = new TextEncoder().encode(request);
-        output = [];
-        exports.answer();
         const bytes = new Uint8Array(output.reduce((sum, piece) => sum + piece.length, 0));
         output.reduce((at, piece) => (bytes.set(piece, at), at + piece.length), 0);
-        return request === "" ? bytes : bytes.slice(bytes.indexOf(10) + 1);
+        return bytes;
+    }
+
+    function answer(request) {
+        input = new TextEncoder().encode(request);
+        return outputOf(() => exports.answer());
     }
 
     // A program that misses textures waits for them: another one begins, with them.
-    let first, arrived = () => {};
+    let first;
     async function reply(request) {
-        const bytes = untilItWaits(() => answer(request));
+        const bytes = answer(request);
         if (missing.size === 0) {
             return bytes;
         }
         postMessage({missing: [...missing]});
-        await new Promise(done => { arrived = done; });
+        await here([...missing]);
         missing.clear();
         await begin(first);
         return answer(request);
@@ -137,18 +111,13 @@ function runInWorker() {
 
     let last = Promise.resolve(); // one after another
     onmessage = ({data}) => {
-        if (data.textures !== undefined) {
-            for (const [number, texture] of data.textures) {
-                files[number] ??= fromText(texture);
-            }
+        if (data.texture !== undefined) {
+            files[data.number] = data.texture;
             arrived();
             return;
         }
         last = last.then(async () => {
-            if (first === undefined) {
-                await begin(first = data);
-            }
-            const bytes = await reply(data.request);
+            const bytes = await (first === undefined ? begin(first = data) : reply(data.request));
             postMessage(bytes, [bytes.buffer]);
         });
     };
@@ -167,6 +136,17 @@ const program = (() => {
         });
     }
 
+    function fromText(base64) {
+        if (Uint8Array.fromBase64 !== undefined) { // not in every browser yet, and much quicker
+            return Uint8Array.fromBase64(base64);
+        }
+        const letters = atob(base64), bytes = new Uint8Array(letters.length);
+        for (let i = 0; i < letters.length; i++) {
+            bytes[i] = letters.charCodeAt(i);
+        }
+        return bytes;
+    }
+
     function load(source) {
         return new Promise((done, fail) => {
             const script = document.createElement("script");
@@ -177,12 +157,14 @@ const program = (() => {
         });
     }
 
-    // Let the worker have textures. Each is loaded once: its script defines lessonPrograms[name].
-    const loads = {};
-    async function send(names) {
-        await Promise.all(names.map(name => loads[name] ??= load(new URL(`${name}.js`, here))));
-        worker.postMessage({textures: names.map(name => [lessonPrograms.files.indexOf(name), lessonPrograms[name]])});
-    }
+    // Let the worker have a texture, once: its script defines lessonPrograms[name].
+    const sent = {};
+    const send = number => sent[number] ??= (async () => {
+        const name = lessonPrograms.files[number];
+        await load(new URL(`${name}.js`, here));
+        const texture = fromText(lessonPrograms[name]);
+        worker.postMessage({number, texture}, [texture.buffer]);
+    })();
 
     // Its description of its scenes.
     async function start(step) {
@@ -194,16 +176,16 @@ const program = (() => {
                 return;
             }
             try {
-                await send(data.missing.map(number => lessonPrograms.files[number]));
+                await Promise.all(data.missing.map(send));
             } catch (error) {
                 waiting.splice(0).forEach(({fail}) => fail(error));
             }
         };
         worker.onerror = ({message}) => waiting.shift()?.fail(new Error(message));
         const lesson = lessonPrograms.lessons.indexOf(step);
-        const {program, models} = lessonPrograms, answer = ask({program, models, lesson, request: ""});
-        await send(textures?.split(",") ?? []); // which the page's first picture reads
-        const bytes = await answer;
+        const {program, models, files} = lessonPrograms;
+        const read = (textures?.split(",") ?? []).map(name => files.indexOf(name)); // by the page's first picture
+        const [bytes] = await Promise.all([ask({program: fromText(program), models: models.map(fromText), lesson, textures: read}), ...read.map(send)]);
         return JSON.parse(new TextDecoder().decode(bytes));
     }
 
