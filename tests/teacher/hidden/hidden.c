@@ -344,6 +344,19 @@ enum use {
     USE_FIXED  /* it does not */
 };
 
+/* What scenes are drawn for in that case. */
+static enum use use_of(const struct hidden_case *hidden_case) {
+    return hidden_case->fixed ? USE_FIXED : USE_MODEL;
+}
+
+static bool is_used(const struct checked_step *step, const enum use *uses, enum use use) {
+    size_t i = 0;
+    while (i < step->scene_count && uses[i] != use) {
+        i++;
+    }
+    return i < step->scene_count;
+}
+
 static bool find_uses(const struct hidden *hidden, const struct checked_step *step, enum use *uses,
                       struct error *error) {
     static const struct hidden_case plain = {.size = false};
@@ -387,7 +400,7 @@ static bool try_case(struct hidden *hidden, const struct checked_step *step, siz
               limits_for(hidden, step->name, hidden_case->kind), hidden_case->says);
     }
     for (size_t i = 0; i < step->scene_count && done && !unseen_takes_text(step->name); i++) {
-        if (uses[i] == (hidden_case->fixed ? USE_FIXED : USE_MODEL)) {
+        if (uses[i] == use_of(hidden_case)) {
             snprintf(says, sizeof says, "%s %s %s", step->items[i].scene,
                      hidden_case->fixed ? "in" : "of", hidden_case->says);
             judge(hidden, &pair, &yours, step, step->items[i].scene, &hidden->references[i],
@@ -427,7 +440,8 @@ static bool try_step(struct hidden *hidden, const struct checked_step *step, str
            (text || find_uses(hidden, step, uses, error));
     for (size_t i = 0; i < CASE_COUNT && done; i++) {
         bool text_case = strcmp(input_name(cases[i].kind), "scene.txt") == 0;
-        if (number >= cases[i].first && number <= cases[i].last && text == text_case) {
+        if (number >= cases[i].first && number <= cases[i].last && text == text_case &&
+            (text || is_used(step, uses, use_of(&cases[i])))) {
             done = try_case(hidden, step, i, uses, error);
         }
     }
