@@ -1,12 +1,13 @@
 #!/bin/sh
-# Is no honest program to be looked at? Draws hidden scenes with each mistake of the lists and each correct
-# program, and prints those of which the hidden scenes say so.
+# Is no honest program to be looked at, and is what correct programs draw right? Draws hidden scenes with
+# each mistake of the lists and each correct program, and prints those of which the hidden scenes say so.
 #
 #     accused.sh BUILD MAKE STEP SEED...      STEP is 5, 05 or step05_zbuffer, or '' for all lessons
 #
 # At the end it prints how many programs were tried, how many have a wrong hidden scene, and how many
 # are to be looked at. As many at a time as there are processors; VERIFY_SHARE=0/8 to 7/8 in the environment
-# for one of eight programs. Exit status 0: none; 1: some, or they could not be drawn.
+# for one of eight programs. Exit status 0: none; 1: some, or they could not be drawn, or what a correct
+# program draws is called wrong.
 cd "$(dirname "$0")/../../.." || exit 1
 if [ "$1" = --one ]; then
     shift
@@ -17,7 +18,10 @@ if [ "$1" = --one ]; then
     sh tests/upkeep/verify/build.sh "$commands" -s "$place/$lesson" 2>"$place/errors" || exit 0
     for seed in $seeds; do
         "$build/hidden" "$place" "$work/solutions" "$seed" '' "$lesson" >"$place/said" 2>&1
-        [ $? -le 1 ] || cat "$place/said" >>"$work/failed"
+        status=$?
+        [ $status -le 1 ] || cat "$place/said" >>"$work/failed"
+        [ $kind$status != accept1 ] ||
+            sed -n "s/^  hidden: \(.*\): wrong/$lesson $name $seed is correct, and called wrong: \1/p" "$place/said" >>"$work/failed"
         echo "$lesson $name $seed $(tail -n 1 "$place/said")$(grep -o 'look at it.*' "$place/said")"
     done
     rm -rf "$place"

@@ -51,7 +51,8 @@ enum {
     OPTION_TEXT = 48,
     FIRST_SIZE = 600, /* of images in another size: these, and up to LAST_SIZE */
     LAST_SIZE = 900,
-    KNOWN_LEAST = 50 /* drawn pixels of a picture that nobody draws by chance */
+    KNOWN_LEAST = 50,   /* drawn pixels of a picture that nobody draws by chance */
+    SHARED_LEAST = 5000 /* and of one that is judged by shares of them */
 };
 
 /* What is drawn, and the program's other options. */
@@ -256,18 +257,28 @@ static bool is_secret(const struct image *picture, const struct image *reference
 
 /* The limits were chosen between correct programs and mistakes on the scenes of the course. Faces
  * made here are fewer and larger, and their colours differ more: so much more is allowed, in
- * thousandths of a percent. (The worst correct program needed 0.8 %, 1.2 % and 0.1 %.) */
-enum { MORE_WRONG = 1000, MORE_APART = 2000, MORE_COVERAGE = 200 };
+ * thousandths of a percent. (The worst correct program needed 0.8 %, 1.2 % and 0.1 %.) Where a
+ * reference must be exact, a new model's corner may lie where float or double decides, and moves a
+ * line by a pixel: 3.2 % of the worst picture. */
+enum { MORE_WRONG = 1000, MORE_APART = 2000, MORE_COVERAGE = 200, MORE_MOVED = 4000 };
 
 static bool is_right(const struct image *solution, const struct image *yours,
-                     const struct checked_item *limits) {
-    if (yours->width != solution->width || yours->height != solution->height || limits->exact) {
+                     const struct checked_item *limits, bool exact) {
+    if (yours->width != solution->width || yours->height != solution->height || exact) {
         return is_same_picture(solution, yours);
     }
     struct comparison found = compare_images(solution, yours);
+    unsigned apart = limits->exact ? MORE_MOVED : limits->apart_limit + MORE_APART;
+    unsigned coverage = limits->exact ? MORE_MOVED : limits->coverage_limit + MORE_COVERAGE;
     return share_within(found.wrong.count, found.drawn, limits->wrong_limit + MORE_WRONG) &&
-           share_within(found.apart.count, found.drawn, limits->apart_limit + MORE_APART) &&
-           share_within(found.coverage.count, found.drawn, limits->coverage_limit + MORE_COVERAGE);
+           share_within(found.apart.count, found.drawn, apart) &&
+           share_within(found.coverage.count, found.drawn, coverage);
+}
+
+/* Are there so few pixels that a share of them says nothing? In a head of 1,480 pixels, a correct
+ * program had 24 that were apart; in one of 2,131, 6 that were drawn in one picture only. */
+static bool is_small(const struct image *solution) {
+    return compare_images(solution, solution).drawn < SHARED_LEAST;
 }
 
 /* Is it one of the lesson's references? */
@@ -281,7 +292,7 @@ static bool is_reference(const struct hidden *hidden, const struct checked_step 
 }
 
 /* Compare the pictures PICTURE.tga of both; counts it, and says when it is wrong. What everybody
- * has, which is `reference`, is not counted. */
+ * has, which is `reference` (NULL: nothing), is not counted. */
 static void judge(struct hidden *hidden, const struct pair *pair, const struct ending *ending,
                   const struct checked_step *step, const char *picture,
                   const struct image *reference, const struct checked_item *scene,
@@ -291,12 +302,13 @@ static void judge(struct hidden *hidden, const struct pair *pair, const struct e
     if (drawn_read(&solution, pair->solution, picture, NULL, &ignored) != DRAWN_READ) {
         return; /* the scene does not take this input */
     }
-    if (!is_secret(&solution, reference)) {
+    bool is_exact = reference == NULL && scene->exact; /* whole numbers are, a new model is not */
+    if (!is_secret(&solution, reference) || (reference != NULL && is_small(&solution))) {
         image_free(&solution);
         return;
     }
     enum drawn_state state = drawn_read(&yours, pair->yours.pictures, picture, &solution, &ignored);
-    bool right = is_right(&solution, &yours, scene);
+    bool right = is_right(&solution, &yours, scene, is_exact);
     hidden->tried++;
     hidden->right += right;
     hidden->missing += ending->well && state == DRAWN_MISSING;
