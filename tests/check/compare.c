@@ -79,14 +79,18 @@ static size_t count_drawn(const struct image *image, size_t y) {
 }
 
 bool is_same_picture(const struct image *a, const struct image *b) {
-    bool same = a->width == b->width && a->height == b->height;
-    for (size_t y = 0; y < a->height && same; y++) {
-        bool is_same = is_same_row(a, b, y);
-        for (size_t x = 0; x < a->width && same && !is_same; x++) {
-            same = color_distance(pixel_at(a, x, y), pixel_at(b, x, y)) == 0;
+    if (a->width != b->width || a->height != b->height) {
+        return false;
+    }
+    for (size_t y = 0; y < a->height; y++) {
+        const size_t width = is_same_row(a, b, y) ? 0 : a->width; /* to look at */
+        for (size_t x = 0; x < width; x++) {
+            if (color_distance(pixel_at(a, x, y), pixel_at(b, x, y)) != 0) {
+                return false;
+            }
         }
     }
-    return same;
+    return true;
 }
 
 struct comparison compare_images(const struct image *reference, const struct image *yours) {

@@ -18,6 +18,7 @@ step06_* | step08_*) fast=-O1 ;;
 step09_* | step10_*) fast='-O0 -Dalways_inline=unused -Dflatten=unused' ;;
 *) fast=-O0 ;;
 esac
+# (VERIFY_FLAGS: others, for programs that draw often.)
 [ "$flags" != - ] || flags=${VERIFY_FLAGS:-$fast}
 # Without optimizing, clang draws several pixels at once three times as fast as gcc.
 case $kind/$lesson in
