@@ -52,16 +52,15 @@ sums() {
 of=$(sums | cksum)
 [ ! -d "$result" ] || [ "$(cat "$result/of" 2>/dev/null)" != "$of" ] || exit 0
 begun=$(date +%s)
-place=
-work=
-mkdir -p "$out/.begun" "$out/submissions" && work=$(mktemp -d "$out/.grading.XXXXXX") &&
-    place=$(mktemp -d "$build/grade.XXXXXX") || exit 1
+# Named first and made when they are sure to be removed: whoever stops this may do it at any moment.
+mkdir -p "$out/.begun" "$out/submissions" && work=$(mktemp -u "$out/.grading.XXXXXX") &&
+    place=$(mktemp -u "$build/grade.XXXXXX") || exit 1
 place_short=$short${place#"$build"}
 # A make that is stopped stops its commands once more: that must not stop the tidying.
 trap 'trap "" HUP INT TERM; chmod -R u+rwx "$work" "$place" 2>/dev/null; rm -rf "$work" "$place"' EXIT
 # Whoever stops this does not mean the submission.
-trap 'rm -f "$out/.begun/$name"; exit 1' HUP INT TERM
-mkdir "$work/result" || exit 1
+trap 'trap "" HUP INT TERM; rm -f "$out/.begun/$name"; exit 1' HUP INT TERM
+mkdir -m 700 "$work" "$place" "$work/result" || exit 1
 
 # finish STATE...: the result, as a whole, and a line that tells of it.
 finish() {

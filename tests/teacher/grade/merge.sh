@@ -16,11 +16,11 @@ out=$2
     echo "make grade: nothing is graded in $out" >&2
     exit 1
 }
-work=$(mktemp -d "$out/.merging.XXXXXX") || exit 1
-trap 'trap "" HUP INT TERM; rm -rf "$work"' EXIT # see grade_one.sh
-trap 'exit 1' HUP INT TERM
+work=$(mktemp -u "$out/.merging.XXXXXX") || exit 1 # see grade_one.sh
+trap 'trap "" HUP INT TERM; rm -rf "$work"' EXIT
+trap 'trap "" HUP INT TERM; exit 1' HUP INT TERM
 
-mkdir "$work/compared" && sh tests/teacher/grade/alike.sh "$build/limited" "$out" "$work/compared" || exit 1
+mkdir -m 700 "$work" "$work/compared" && sh tests/teacher/grade/alike.sh "$build/limited" "$out" "$work/compared" || exit 1
 cat "$work/compared/not_compared"
 
 # Lines `NAME KIND ...` of all results, in the order of the names; sums.awk says what follows.

@@ -111,6 +111,20 @@ done
 
 [ -z "$(find "$work/out/submissions" -name 'sources.*')" ] || wrong "archives are left unpacked"
 
+# Stopped while it begins, it leaves nothing either.
+begins=$work/begins
+for ((i = 0; i < 20; i++)); do
+    rm -rf "$begins" && mkdir "$begins"
+    setsid sh tests/teacher/grade/grade_one.sh build "make -s" "$work/kinds" "$begins" 1 >"$work/begun" 2>&1 &
+    until [ -d "$begins/.begun" ] || ! kill -0 $!; do :; done
+    for ((turns = i * 100; turns > 0; turns--)); do :; done
+    kill -TERM -- -$!
+    wait $!
+    for litter in build/grade.* "$begins"/.grading* "$begins"/.begun/*; do
+        [ ! -e "$litter" ] || wrong "$litter is left behind by a grading that was stopped when it began"
+    done
+done 2>"$work/killed"
+
 # Once more: nothing is done again, and the same comes out.
 cp "$work/out/class.csv" "$work/class.csv"
 begun=$SECONDS
