@@ -104,7 +104,7 @@ async function seen(points) {
 
 /* Nothing is wider than the window, no control lies on another, and all can be read and reached. */
 async function judgeLayout() {
-    assert.ok(await ask('document.documentElement.scrollWidth <= innerWidth'), 'too wide');
+    assert.ok(await ask('document.documentElement.scrollWidth <= document.documentElement.clientWidth'), 'too wide');
     const torn = await ask(() => {
         const boxes = [...document.querySelectorAll('dialog[open] form button')]
             .map(element => [element.textContent, element.getBoundingClientRect()]);

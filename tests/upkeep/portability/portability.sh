@@ -66,7 +66,7 @@ use() {
         wasm) archiver=llvm-ar threaded= ;;
         windows)
             archiver=x86_64-w64-mingw32-ar threaded=-pthread
-            export WINEPREFIX="$work/wine" WINEDEBUG=-all WINEDLLOVERRIDES='mscoree,mshtml='
+            export WINEPREFIX="$work/wine" WINEDEBUG=fixme-all WINEDLLOVERRIDES='mscoree,mshtml='
             ;;
         *) archiver=ar threaded=-pthread ;;
     esac
