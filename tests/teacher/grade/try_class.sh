@@ -111,19 +111,20 @@ done
 
 [ -z "$(find "$work/out/submissions" -name 'sources.*')" ] || wrong "archives are left unpacked"
 
-# Stopped while it begins, it leaves nothing either.
-begins=$work/begins
-for ((i = 0; i < 20; i++)); do
-    rm -rf "$begins" && mkdir "$begins"
-    setsid sh tests/teacher/grade/grade_one.sh build "make -s" "$work/kinds" "$begins" 1 >"$work/begun" 2>&1 &
-    until [ -d "$begins/.begun" ] || ! kill -0 $!; do :; done
-    for ((turns = i * 100; turns > 0; turns--)); do :; done
-    kill -TERM -- -$!
-    wait $!
-    for litter in build/grade.* "$begins"/.grading* "$begins"/.begun/*; do
-        [ ! -e "$litter" ] || wrong "$litter is left behind by a grading that was stopped when it began"
+# Stopped as soon as a directory of its own has a name, or is there, it leaves nothing either.
+stops=$work/stops
+mkdir "$stops" "$stops/out" || exit 1
+for stop in 'mktemp /.grading.' 'mktemp /grade.' 'mkdir /.grading.'; do
+    tool=${stop% *}
+    printf '#!/bin/sh\n%s "$@"\ncase $* in *%s*) kill 0 ;; esac\n' "$(command -v "$tool")" "${stop#* }" \
+        >"$stops/$tool" && chmod +x "$stops/$tool"
+    PATH=$stops:$PATH setsid -w sh tests/teacher/grade/grade_one.sh build "make -s" "$work/kinds" "$stops/out" 1 \
+        >"$stops/said" 2>&1 && wrong "a grading is not stopped at $stop"
+    rm "$stops/$tool"
+    for litter in build/grade.* "$stops"/out/.grading* "$stops"/out/.begun/*; do
+        [ ! -e "$litter" ] || wrong "$litter is left behind by a grading that was stopped at $stop"
     done
-done 2>"$work/killed"
+done
 
 # Once more: nothing is done again, and the same comes out.
 cp "$work/out/class.csv" "$work/class.csv"
