@@ -129,12 +129,17 @@ test('the whole is below 4.8 MB without textures, and a page with its program be
     }
 });
 
+/* Nothing is wider than the window. (On a telephone innerWidth is as wide as what is in it.) */
+async function judgeWidth(page, file) {
+    const [width, limit] = await page.evaluate(() => [document.documentElement.scrollWidth, document.documentElement.clientWidth]);
+    assert.ok(width <= limit, `${file}: ${width} in ${limit}`);
+}
+
 /* In one window: words that can be read, and nothing that is wider, torn or too small. */
 async function judgeWindow(page, file, kind) {
     const found = await page.evaluate(() => axe.run());
     assert.deepEqual(found.violations.map(v => `${v.id}: ${v.nodes.map(n => n.html + n.failureSummary)}`), [], file);
-    const [width, limit] = await page.evaluate(() => [document.documentElement.scrollWidth, document.documentElement.clientWidth]);
-    assert.ok(width <= limit, `${file}: ${width}`);
+    await judgeWidth(page, file);
     const rows = await page.evaluate(() => [...document.querySelectorAll('p:has([width="49%"])')].map(
         p => new Set([...p.querySelectorAll('img')].map(image => image.getBoundingClientRect().bottom)).size));
     assert.ok(rows.every(count => count === 1), `${file}: pictures of one row in ${rows}`);
@@ -355,7 +360,7 @@ for (const file of pages.filter(file => /^step/.test(file) && (file.endsWith('in
         await page.setViewportSize(phone.viewport); /* as wide as a screen below, with the words */
         const {violations} = await page.evaluate(() => axe.run());
         assert.deepEqual(violations.map(v => `${v.id}: ${v.nodes.map(n => n.html + n.failureSummary)}`), []);
-        assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= document.documentElement.clientWidth), 'too wide');
+        await judgeWidth(page, file);
     }));
 }
 
